@@ -11,10 +11,11 @@ from helicoide.arrays import Array, frozen
 from helicoide.command import Command, FollowPath, GetReady, HoldPosition, MoveToJoints, MoveToPose, Park, Replay
 from helicoide.comparison import Effort
 from helicoide.ik import controller as drives
-from helicoide.ik.controller import GUARDED
+from helicoide.ik.controller import GUARDED, ToolTarget
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.guard.guarded import ONE_LEVEL
 from helicoide.ik.guard.work import Work, work_for
+from helicoide.ik.objective import Posture
 from helicoide.ik.packing import packed
 from helicoide.ik.rcm.tip_task import rcm_step
 from helicoide.ik.step import step, step_task, task_at
@@ -163,23 +164,22 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
     if drive.secondary is None:
         step(packed_arm, q, T_world_target, ahead, dt, work.memory)
     else:
-        task, split = (
-            task_at(packed_arm, q, T_world_target, ahead, dt),
-            drives.level_starts(drive, request.with_orientation),
-        )
-        task, begins = drives.with_objective(problem, arm.q, arm.poses, task, split, drive.secondary, dt)
+        task = task_at(packed_arm, q, T_world_target, ahead, dt)
+        split = drives.level_starts(drive, request.with_orientation)
+        here = Posture(arm.q, arm.poses, problem.obstacles.points)
+        task, begins = drives.with_objective(problem, here, task, split, drive.secondary, dt)
         step_task(packed_arm, q, *task, begins, dt, work.memory)
     return _after(state, q, work)
 
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
     """One tick by a method without limits; the guarded step limits the joint displacement that it asks for."""
-    problem, request, posture = state.problem, state.request, (state.arm.q, state.arm.poses)
-    drive, with_orientation = request.controller, request.with_orientation
+    problem, request, posture = state.problem, state.request, Posture(state.arm.q, state.arm.poses)
+    drive, target = request.controller, ToolTarget(T_world_target, request.with_orientation, ahead)
     if problem.entry is not None:
-        wished, drive = rcm_step(problem, *posture, T_world_target, with_orientation, ahead, drive, dt)
+        wished, drive = rcm_step(problem, posture, target, drive, dt)
     else:
-        task = drives.closed_loop_task(problem, *posture, T_world_target, with_orientation, ahead, drive.gains, dt)
+        task = drives.closed_loop_task(problem, posture, target, drive.gains, dt)
         wished, drive = drives.step(problem, task, state.arm.poses, drive)
     return _stepped(replace(state, request=replace(request, controller=drive)), drives.displacement_task(wished), dt)
 

@@ -12,7 +12,7 @@ from trimesh import Trimesh
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, merged, painted, write_meshes
-from helicoide.solids.lettering import word
+from helicoide.solids.lettering import Lettering, word
 
 SURFACES = {
     "blue": cad.paint(38, 104, 178, roughness=0.45),
@@ -104,7 +104,7 @@ def torso_face(axis: cad.Axis, side: int) -> Parts:
     return {
         "blue": [cad.raised(plate, 8, edge=3, steps=2, axis=axis, at=(side * 107, 0, 0))],
         "dark": [cad.raised(slot, 2, axis=axis, at=(side * (137.5 - z / 32), 0, z)) for z in range(750, 841, 18)],
-        "metal": [word("MOTOMAN", 24, 1.2, axis, (side * 114.5, 0, SHOULDER_HEIGHT))],
+        "metal": [word("MOTOMAN", Lettering(24, 1.2), axis, (side * 114.5, 0, SHOULDER_HEIGHT))],
     }
 
 
@@ -144,7 +144,7 @@ def forearm() -> Parts:
     """The restricted link: a slim tube that slides through the entry point, and the lower half of the wrist."""
     tube = cad.turned([(56, 108), (56, 120), (46, 132), (46, 250)], axis="y")
     casting = half_joint(FOREARM, 54, 58, LOWER, 48, 236)
-    dark = [pivot(FOREARM, 54, 58), word("DIA10", 11, 1.2, "x", (44.8, 180, 0))]
+    dark = [pivot(FOREARM, 54, 58), word("DIA10", Lettering(11, 1.2), "x", (44.8, 180, 0))]
     return merged(SURFACES, cap(FOREARM, 54, 58, LOWER), {"white": [tube], "blue": [casting], "dark": dark})
 
 

@@ -7,7 +7,7 @@ fixed to the links that carry them, and end at discs about the joints, so that t
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, both, merged, painted, write_meshes
-from helicoide.solids.lettering import on_both_sides
+from helicoide.solids.lettering import Lettering, on_both_sides
 
 SURFACES = {
     "orange": cad.paint(233, 138, 36, roughness=0.5),
@@ -107,7 +107,7 @@ def upper_arm() -> Parts:
         "orange": [plates],
         "metal": [
             *both(rod),
-            *on_both_sides("L-3", 26, 1.5, (128, -52, 0)),
+            *on_both_sides("L-3", Lettering(26, 1.5), (128, -52, 0)),
             cad.cylinder(20, 72, axis="y", at=(UPPER_ARM, 0, 0)),
         ],
         "dark": [solid for end in ends for solid in both(end)]
@@ -134,7 +134,7 @@ def forearm() -> Parts:
         "dark": both(cad.raised(case, 6, edge=2, axis="-y", at=(0, -38, 0))),
         "metal": [
             *both(cad.bolts([(x, -44, 0) for x in (152, 440)], 3, 2, "-y")),
-            *on_both_sides("MOTOMAN", 15, 1.5, (290, -44, 0)),
+            *on_both_sides("MOTOMAN", Lettering(15, 1.5), (290, -44, 0)),
         ],
     }  # fmt: skip
     return merged(SURFACES, body, hub(FOREARM, 44, 15))

@@ -10,7 +10,7 @@ from trimesh import Trimesh
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, both, merged, painted, write_meshes
-from helicoide.solids.lettering import on_both_sides, word
+from helicoide.solids.lettering import Lettering, on_both_sides, word
 
 SURFACES = {
     "ivory": cad.paint(236, 225, 196, roughness=0.5),
@@ -58,7 +58,7 @@ def base_covers() -> Parts:
     slots = [cad.raised(cad.rectangle(46, 3.6), 0.5, axis="-y", at=(-58, -127.9, z)) for z in (50, 58, 66, 74, 82)]
     plate = cad.raised(cad.rectangle(160, 28, corner=4), 6, edge=1, axis="x", at=(117.5, 0, 88))
     return {
-        "ivory": [*both(panel), word("MOVEMASTER", 9.5, 1, "x", (123.3, 0, 90.5))],
+        "ivory": [*both(panel), word("MOVEMASTER", Lettering(9.5, 1), "x", (123.3, 0, 90.5))],
         "dark": [plate, *[half for slot in slots for half in both(slot)]],
         "orange": [cad.raised(cad.rectangle(148, 2.6), 0.8, axis="x", at=(123.3, 0, 79.5))],
         "metal": both(screws),
@@ -139,7 +139,7 @@ def upper_arm() -> Parts:
     return {
         "ivory": [
             cad.cut(cad.prism(side, 92, edge=8, steps=2, axis="-y"), slot),
-            *on_both_sides("RV-M2", 16, 1.2, (140, -49.3, 4)),
+            *on_both_sides("RV-M2", Lettering(16, 1.2), (140, -49.3, 4)),
         ],
         "dark": [
             *both(cad.raised(strip, 3.5, edge=1.2, axis="-y", at=(0, -46, 0))),

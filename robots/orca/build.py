@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, both, painted, write_meshes
-from helicoide.solids.lettering import on_both_sides, word
+from helicoide.solids.lettering import Lettering, on_both_sides, word
 
 SURFACES = {
     "cream": cad.paint(231, 226, 211, roughness=0.5),
@@ -41,7 +41,7 @@ def base() -> Parts:
         "blue": [
             cad.turned([(58, -180), (58, -170)], sides=40),
             cad.box((8, 104, 4), at=(77.4, 0, -262)),
-            word("ORCA", 24, 2.4, "x", (77.6, 0, -236), pen=0.96),
+            word("ORCA", Lettering(24, 2.4, 0.96), "x", (77.6, 0, -236)),
         ],
         "metal": [
             cad.box((320, 280, 16), corner=18, edge=3, at=(0, 0, FLOOR + 8)),
@@ -58,7 +58,7 @@ def upper_arm() -> Parts:
     return {
         "cream": [
             cad.prism(side, 66, 8, 3, at=(0, 0, -122)),
-            *on_both_sides("ORCA", 14, 2.4, (122, -49, -120), pen=0.96),
+            *on_both_sides("ORCA", Lettering(14, 2.4, 0.96), (122, -49, -120)),
         ],
         "dark": [
             *both(strip),

@@ -11,7 +11,7 @@ from trimesh import Trimesh
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, painted, write_meshes
-from helicoide.solids.lettering import word
+from helicoide.solids.lettering import Lettering, word
 
 SURFACES = {
     "white": cad.paint(188, 189, 185, roughness=0.5),
@@ -52,7 +52,7 @@ def base() -> Parts:
         ],
         "metal": [
             cad.bolts(corners, 9, 8, "z"),
-            word("PUMA 560", 21, 0.8, "x", (84, 0, -340), PEN, upright=False),
+            word("PUMA 560", Lettering(21, 0.8, PEN), "x", (84, 0, -340), upright=False),
             cad.bolts(cad.ring_of_points(12, 81.5, "z", (0, 0, -174)), 2.6, 4, "z"),
         ],
     }
@@ -88,7 +88,7 @@ def shoulder() -> Parts:
             cad.turned([(78.6, -140), (78.6, -134)], sides=48),
             cad.turned([(58, 116), (58, 121), (55, 124)], axis="-y"),
         ],
-        "blue": [word("UNIMATION", 12, 0.8, "x", (95.4, 0, 0), PEN)],
+        "blue": [word("UNIMATION", Lettering(12, 0.8, PEN), "x", (95.4, 0, 0))],
         "metal": [
             cad.bolts(cad.ring_of_points(8, 67, "-y", (0, -116, 0), phase=0.5), 3.5, 5, "-y"),
             cad.bolts(cad.ring_of_points(6, 46, "-y", (0, -124, 0)), 3, 2.5, "-y"),
@@ -120,7 +120,7 @@ def upper_arm() -> Parts:
         ],
         "blue": [
             cad.raised(cad.rectangle(236, 5), 0.8, axis="y", at=(188, outside + 5, -26)),
-            word("UNIMATION", 30, 0.8, "y", (188, outside + 5, 6), PEN),
+            word("UNIMATION", Lettering(30, 0.8, PEN), "y", (188, outside + 5, 6)),
         ],
         "metal": [
             cad.bolts(screws, 4, 2.5, "y"),
@@ -145,7 +145,7 @@ def forearm() -> Parts:
         ],
         "grey": [cad.turned([(50, 36), (50, 46)], axis="y", sides=40)],
         "black": [cad.turned([(19, 0), (19, 26), (15, 30)], at=at, sides=24) for at in motors],
-        "blue": [word("PUMA", 22, 0.8, "-y", (8, -41, -120), PEN, upright=False)],
+        "blue": [word("PUMA", Lettering(22, 0.8, PEN), "-y", (8, -41, -120), upright=False)],
         "metal": [
             cad.turned([(34, -344), (34, -352)], at=(JOG, 0, 0), sides=40),
             cad.raised(cad.circle(30), 4, edge=1.5, axis="-y", at=(0, -41, 0)),

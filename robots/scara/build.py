@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, both, painted, write_meshes
-from helicoide.solids.lettering import on_both_sides
+from helicoide.solids.lettering import Lettering, on_both_sides
 
 SURFACES = {
     "white": cad.paint(240, 241, 240, roughness=0.45),
@@ -89,7 +89,7 @@ def outer_arm() -> Parts:
             cad.stacked([(cover, 20), *rim]),
         ],
         "dark": [
-            *on_both_sides("SCARA", 18, 1.5, (64, -49.5, 58)),
+            *on_both_sides("SCARA", Lettering(18, 1.5), (64, -49.5, 58)),
             cad.turned([(34, 22), (34, 58), (28, 64)], at=(OUTER, 0, 0), sides=40),
             cad.turned([(28, -35), (28, -42), (24, -45)][::-1], at=(OUTER, 0, 0), sides=40),
             cad.turned([(24, 100), (24, 112), (17, 118)], sides=32),

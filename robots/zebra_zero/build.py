@@ -10,7 +10,7 @@ from trimesh import Trimesh
 
 from helicoide import solids as cad
 from helicoide.solids.drawing import Parts, both, painted, write_meshes
-from helicoide.solids.lettering import on_both_sides, word
+from helicoide.solids.lettering import Lettering, on_both_sides, word
 
 SURFACES = {
     "black": cad.paint(50, 52, 56, roughness=0.55),
@@ -52,7 +52,7 @@ def base() -> Parts:
         ],
         "white": [
             *stripes(11, 10, "x", (106, 0, FLOOR + 34)),
-            word("ZEBRA-ZERO", 16, 0.6, "x", (106, 0, FLOOR + 62), PEN),
+            word("ZEBRA-ZERO", Lettering(16, 0.6, PEN), "x", (106, 0, FLOOR + 62)),
         ],
         "red": [cad.turned([(9, 0), (9, 7), (7, 9)], axis="-x", at=(-108, 50, FLOOR + 50), sides=20)],
         "metal": [
@@ -102,7 +102,7 @@ def upper_arm() -> Parts:
             *both(cad.raised(cad.circle(23), 4, edge=1.5, axis="-y", at=elbow)),
         ],
         "white": [
-            *on_both_sides("ZEBRA", 16, 0.6, (92, -39.5, 0), PEN),
+            *on_both_sides("ZEBRA", Lettering(16, 0.6, PEN), (92, -39.5, 0)),
             *stripes(6, 40, "z", (86, 0, 28)),
         ],
         "metal": [

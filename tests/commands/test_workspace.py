@@ -19,6 +19,7 @@ from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
 from helicoide.kinematics import workspace
 from helicoide.kinematics.workspace import MapPlan, WorkspaceMap
+from helicoide.kinematics.workspace_kernels import MapPart
 from helicoide.text import HelicoideError
 
 SAMPLES = 3 * workspace.CHUNK + 11
@@ -82,7 +83,7 @@ def test_what_was_counted_is_kept(
     chunks.workspace_map(plan)
     assert [file.name for file in cache.iterdir()] == [f"{plan.key}.npz"]
 
-    def counted(plan: MapPlan, chunk: int) -> workspace.MapPart:
+    def counted(plan: MapPlan, chunk: int) -> MapPart:
         raise AssertionError("counted again")
 
     monkeypatch.setattr(workspace, "count_chunk", counted)

@@ -10,13 +10,13 @@ from tests.kinematics.arms import arm
 
 from helicoide.arrays import Array
 from helicoide.confinement import planes_of
-from helicoide.ik import Limits, Problem, methods, objectives
+from helicoide.ik import Limits, Problem, objectives
+from helicoide.ik.methods import configured_method
 from helicoide.ik.secondary import Chosen
 from helicoide.studies.cerbaro_runs.runs import LoopRun, collected
 from helicoide.studies.cerbaro_runs.setups import fixed_point, point_along, position_task, solved_posture, tool_position
 
-PINV, DAMPED = methods.named("pseudoinverse"), methods.named("damped")
-PLAIN = PINV.Options()
+PINV, DAMPED = configured_method("pseudoinverse"), configured_method("damped")
 
 
 def problem(name: str, scale: float | None = None, **limits: tuple[float, float]) -> Problem:

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.ik.secondary_runs import DAMPED
 
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones
@@ -16,6 +15,7 @@ from helicoide.ik import adaptation
 from helicoide.ik.adaptation import (
     NONE,
     Rule,
+    TargetPoints,
     adapted,
     everywhere,
     moved_away,
@@ -24,7 +24,8 @@ from helicoide.ik.adaptation import (
     with_distances_kept,
     with_target_moved,
 )
-from helicoide.ik.converge import CAP_PER_POINT, Tolerance, converged, loop_of
+from helicoide.ik.converge import INNER, POSE, Tolerance, converged, solver_of
+from helicoide.ik.methods import configured_method
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined_problem, path_samples
 from helicoide.studies.cerbaro_runs.setups import fixed_point, position_task, tool_position
 
@@ -123,16 +124,15 @@ def test_the_points_that_cannot_move_are_not_watched() -> None:
     assert home[0] == pytest.approx(21.09, abs=0.05)
 
 
-def by(rule: Rule, samples: int = 41, cap: int = CAP_PER_POINT) -> tuple[adaptation.Track, Array]:
+def by(rule: Rule, samples: int = 41) -> tuple[adaptation.Track, Array]:
     """The first quarter of the ellipse, which leads up to the ceiling, without secondary objective."""
     here = confined_problem()
-    run = loop_of(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    solver = solver_of(here, configured_method("damped", damping=0.1), 0.5, replace(INNER, tolerance=Tolerance(1e-3)))
     way = path_samples(ELLIPSE, 4 * samples)[:samples]
     first = position_task(here, fixed_point(*way[0]))
-    start = converged(here, run, first, here.robot.poses["path_start"])
-    return adapted(
-        here, run, lambda p: position_task(here, fixed_point(*p)), way, start.q, rule, Tolerance(1e-3), cap
-    ), way
+    start = converged(replace(solver, until=POSE), first, here.robot.poses["path_start"])
+    path = TargetPoints(way, lambda p: position_task(here, fixed_point(*p)))
+    return adapted(solver, path, start.q, rule), way
 
 
 def test_without_a_rule_a_path_is_followed_into_the_planes() -> None:
@@ -169,18 +169,11 @@ def test_with_the_printed_rule_it_gives_up_at_72_7_mm() -> None:
 
 def test_targets_out_of_reach_end_after_their_cap_and_are_told_by_their_error() -> None:
     here = confined_problem()
-    run = loop_of(here, DAMPED, DAMPED.Options(50.0), 0.5)
-    way = np.array([[0.7, 0.0, 0.4], [0.9, 0.0, 0.4]])
+    solver = solver_of(here, configured_method("damped", damping=50.0), 0.5, replace(INNER, cap=40))
+    points = np.array([[0.7, 0.0, 0.4], [0.9, 0.0, 0.4]])
+    path = TargetPoints(points, lambda p: position_task(here, fixed_point(*p)))
     shares: list[float] = []
-    track = adapted(
-        here,
-        run,
-        lambda p: position_task(here, fixed_point(*p)),
-        way,
-        here.robot.poses["ready"],
-        cap=40,
-        progress=shares.append,
-    )
+    track = adapted(solver, path, here.robot.poses["ready"], progress=shares.append)
     assert track.errors[0] <= 0.010
     assert track.errors[1] == pytest.approx(0.08, abs=5e-3)
     assert shares == [0.5, 1.0]

@@ -5,17 +5,17 @@ The simulations of Vargas 2013 are studies: tests/studies/test_vargas.py.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import islice
 
 import numpy as np
 import pytest
-from tests.ik.secondary_runs import PINV, PLAIN, chosen, collected, fixed_point, position_task, problem, tool_position
+from tests.ik.secondary_runs import PINV, chosen, collected, fixed_point, position_task, problem, tool_position
 
 from helicoide.arrays import Array, frozen
-from helicoide.ik import methods, objectives
+from helicoide.ik import objectives
 from helicoide.ik.arm_points import watched
-from helicoide.ik.clik import closed_loop, solve_with_null_space, task_from, to_pose
+from helicoide.ik.clik import ControlLaw, closed_loop, solve_with_null_space, task_from, to_pose
+from helicoide.ik.methods import configured_method
 from helicoide.ik.objective import posture_at
 from helicoide.ik.secondary import augmented, push, total
 from helicoide.kinematics.forward import link_poses
@@ -37,8 +37,8 @@ def test_the_task_does_not_feel_an_objective(robot_name: str, name: str) -> None
     q = here.robot.poses["ready"] + 0.05
     aim = position_task(here, fixed_point(0.3, 0.2, 0.3))(q, 0.0)
     task = task_from(aim, 1.0, q, 0.01)
-    with_it, _ = solve_with_null_space(here, PINV, task, None, PLAIN, pushed(q, 0.0))
-    without, _ = solve_with_null_space(here, PINV, task, None, PLAIN)
+    with_it, _ = solve_with_null_space(here, PINV, task, None, pushed(q, 0.0))
+    without, _ = solve_with_null_space(here, PINV, task, None)
     np.testing.assert_allclose(task.J @ (with_it.rates - without.rates), 0, rtol=0, atol=1e-12)
 
 
@@ -60,7 +60,7 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
     x, y, z = watched(here.robot, "guarded").at(link_poses(here.robot.chain, q))[elbow] / here.length + BESIDE
     some = chosen(name, x=x, y=y, z=z) if name == "obstacle_distance" else chosen(name)
     aiming = position_task(here, fixed_point(*tool_position(here, q)))
-    moments = closed_loop(here, PINV, PLAIN, aiming, 90.0, q, 0.01, push(here, some, GAINS[name]))
+    moments = closed_loop(here, ControlLaw(PINV, 90.0, 0.01), aiming, q, push(here, some, GAINS[name]))
     way = [moment.q for moment in islice(moments, 300)]
     w = np.array([-total(here, some, posture_at(here, one)).value for one in way])
     assert w[-1] > w[0] + 3e-4
@@ -118,11 +118,11 @@ def test_what_does_not_rest_at_zero_cannot_be_a_row(name: str) -> None:
 @pytest.mark.parametrize("name", ["pseudoinverse", "damped", "filtered_modified"])
 def test_where_f_is_flat_the_law_is_the_plain_one(name: str) -> None:
     """J_f = 0, f = 0: an obstacle far away. Also with more rows than joints."""
-    here, method = planar_problem(), methods.named(name)
+    here, law = planar_problem(), ControlLaw(configured_method(name), 5.0, 0.01)
     far = chosen("ellipsoid", x=90.0, y=90.0, z=90.0)
     for plain in (position_task(here, path_1, 2), heading_task(here, path_1)):
         runs = [
-            collected(closed_loop(here, method, method.Options(), aiming, 5.0, np.array([0.5, -0.8, 0.9]), 0.01), 0.5)
+            collected(closed_loop(here, law, aiming, np.array([0.5, -0.8, 0.9])), 0.5)
             for aiming in (plain, augmented(here, far, plain))
         ]
         np.testing.assert_allclose(runs[1].q, runs[0].q, rtol=0, atol=1e-9)
@@ -135,9 +135,8 @@ def test_with_more_rows_than_joints_the_obstacle_is_traded_against_the_pose() ->
     goal = to_pose(here, link_poses(here.robot.chain, q)[-1] @ here.robot.T_link_tool)
     x, y, _ = tool_position(here, q) + np.array([0.05, 0, 0])
     hill = chosen("ellipsoid", x=x, y=y, z=0.0, a=0.2, b=0.2, c=0.2, where="tool")
-    method = methods.named("filtered_modified")
-    options = replace(method.Options(), gain=5.0)
-    run = collected(closed_loop(here, method, options, augmented(here, hill, goal), 5.0, q, 0.01), 10.0)
+    law = ControlLaw(configured_method("filtered_modified", gain=5.0), 5.0, 0.01)
+    run = collected(closed_loop(here, law, augmented(here, hill, goal), q), 10.0)
     clearance = [np.linalg.norm(tool_position(here, one) - [x, y, 0]) for one in run.q]
     assert clearance[0] == pytest.approx(0.05)
     assert clearance[-1] > 0.15

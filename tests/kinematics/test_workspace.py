@@ -185,12 +185,11 @@ def test_random_orientations_fall_evenly_into_their_kinds() -> None:
 
 def test_a_cell_knows_its_points() -> None:
     cells = WorkspaceGrid(frozen([-1.0, 0.5, 0.0]), frozen([[1.0, 0, 0], [0, 0, 1]]), 0.25, (4, 8))
-    grid = (np.array(cells.origin), np.array(cells.axes), cells.size, np.array(cells.shape))
     for number, centre in enumerate(cells.centres):
         for one in (cell_index, python_function(cell_index)):
-            assert one(centre + np.array([0.12, 7.0, -0.12]), *grid) == number
+            assert one(centre + np.array([0.12, 7.0, -0.12]), cells.packed) == number
     for outside in ([-1.01, 0, 0.1], [0.01, 0, 0.1], [-0.5, 0, -0.01], [-0.5, 0, 2.01]):
-        assert cell_index(np.array(outside), *grid) == -1
+        assert cell_index(np.array(outside), cells.packed) == -1
 
 
 def test_areas_do_not_depend_on_the_way_the_border_runs() -> None:

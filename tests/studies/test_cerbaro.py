@@ -202,11 +202,9 @@ def test_with_other_settings_nothing_is_said_of_the_source(name: str, options: d
 # The law under study, changed: a sentence of the source no longer holds.
 
 
-def no_projector(*arguments: Any) -> Any:
+def no_projector(problem: Any, inverse: Any, task: Any, memory: Any, push: Array | None) -> Any:
     """q̇₀ as it is, not projected into the null space."""
-    *_, task, memory, options, push = arguments
-    problem, method = arguments[:2]
-    solution, memory = method.step(problem, task, memory, options)
+    solution, memory = inverse.answered(problem, task, memory)
     return solution if push is None else replace(solution, rates=solution.rates + push), memory
 
 
@@ -254,12 +252,12 @@ def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.Monk
 
 
 def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: pytest.MonkeyPatch) -> None:
-    def followed(problem: Any, method: Any, options: Any, aiming: clik.TaskFunction, *others: Any) -> Any:
+    def followed(problem: Any, law: clik.ControlLaw, aiming: clik.TaskFunction, *others: Any) -> Any:
         def skewed(q: Array, t: float) -> clik.TaskError:
             aim = aiming(q, t)
             return replace(aim, J=np.vstack([aim.J[:-1], [1, 1, 0.9]]))
 
-        return clik.closed_loop(problem, method, options, skewed, *others)
+        return clik.closed_loop(problem, law, skewed, *others)
 
     monkeypatch.setattr(tracking, "closed_loop", followed)
     assert broken(short("cerbaro_orca_circle").rows) == {"largest error of φ"}
@@ -271,8 +269,8 @@ def test_without_the_projector_more_than_rows_2_to_4_are_not_zero(monkeypatch: p
 
 
 def test_with_half_of_each_step_the_count_of_iterations_is_another(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = convergence.loop_of
-    monkeypatch.setattr(convergence, "loop_of", lambda *first: whole(*first[:3], first[3] / 2))
+    whole = convergence.solver_of
+    monkeypatch.setattr(convergence, "solver_of", lambda problem, inverse, factor: whole(problem, inverse, factor / 2))
     assert broken(short("cerbaro_orca_convergence").rows) == {"iterations, step factor 0.56"}
     assert broken(short("cerbaro_movemaster_convergence").rows) == {"iterations, step factor 0.3"}
 

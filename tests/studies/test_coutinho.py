@@ -13,7 +13,7 @@ from tests.studies.coutinho_numbers import CIRCLED, FOUND, SAMPLED, at, digits
 
 from helicoide import studies
 from helicoide.geometry import rotation
-from helicoide.ik.method import settings
+from helicoide.ik.method import ConfiguredMethod, settings
 from helicoide.ik.rcm import constrained, follow, older, passage
 from helicoide.studies import (
     _coutinho_rows,
@@ -149,7 +149,7 @@ def compare(path: str, step: int, of: float | str) -> Run:
 
 
 @pytest.mark.parametrize(("of_arm", "gain", "drift"), [(DLS, 0.0, 16.9), (DLS, 5.0, 0.15)])
-def test_a_damped_arm_lets_the_shaft_drift(of_arm: follow.ConfiguredMethod, gain: float, drift: float) -> None:
+def test_a_damped_arm_lets_the_shaft_drift(of_arm: ConfiguredMethod, gain: float, drift: float) -> None:
     """κ = 0.05 on J_i too, at 20 ms, mm."""
     found = run_path("S3", source_control(gain, of_tool=DLS, of_arm=of_arm), 0.02, RunStart(START))
     assert found["lateral_mm"].max() == pytest.approx(drift, rel=0.05)

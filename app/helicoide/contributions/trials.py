@@ -11,8 +11,9 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
-from helicoide.ik.controller import Controller, closed_loop_task, step
+from helicoide.ik.controller import Controller, ToolTarget, closed_loop_task, step
 from helicoide.ik.method import Task
+from helicoide.ik.objective import Posture
 from helicoide.kinematics import library
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analyse_jacobian
@@ -44,7 +45,8 @@ def with_joints(state: State, q: Array) -> State:
 
 def closed_loop_to(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
     """The task of the closed loop towards a pose (4, 4), m."""
-    return closed_loop_task(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
+    posture, target = Posture(state.arm.q, state.arm.poses), ToolTarget(T, with_orientation, STILL)
+    return closed_loop_task(state.problem, posture, target, (gain,) * 4, dt)
 
 
 def controller_step(

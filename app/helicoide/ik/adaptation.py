@@ -27,7 +27,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones, signed_distances
 from helicoide.ik import Problem
 from helicoide.ik.clik import TaskFunction
-from helicoide.ik.converge import CAP_PER_POINT, INNER, Report, Run, Tolerance, converged
+from helicoide.ik.converge import IterativeSolver, Report, converged
 from helicoide.kinematics.forward import link_poses, points_in_world
 
 CAP = 60
@@ -125,6 +125,14 @@ def with_target_moved(
 
 
 @dataclass(frozen=True, eq=False)
+class TargetPoints:
+    """The points of a path, one after another, and the task of each. points (k, 3), m; task: for a target (3,), m."""
+
+    points: Array
+    task: Callable[[Array], TaskFunction]
+
+
+@dataclass(frozen=True, eq=False)
 class Track:
     """The results along a path of k points, a row for each.
 
@@ -142,39 +150,35 @@ class Track:
 
 
 def adapted(
-    problem: Problem,
-    run: Run,
-    aimed: Callable[[Array], TaskFunction],
-    points: Array,
+    solver: IterativeSolver,
+    path: TargetPoints,
     q: Array,
     rule: Rule = NONE,
-    tolerance: Tolerance = INNER,
-    cap: int = CAP_PER_POINT,
     memory: Any = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> Track:
-    """Follow points (k, 3), m, from q (n,): iterate to each until the tolerance holds, then change it by the rule.
+    """Follow the points of a path from q (n,): iterate to each by the solver, then change it by the rule.
 
-    run: the closed loop, as in `converge.converged`; aimed: the task for a target (3,), m; cap: the largest number of
-    steps to a target, the smallest is 1. Source: Cerbaro 2022, §6.1, steps 3–7 (the caps are assumed).
+    memory: of the loop, None at the start. Source: Cerbaro 2022, §6.1, steps 3–7.
     """
+    problem = solver.problem
     rows: list[tuple[Array, Array, Array, float, int]] = []
     former: Array | None = None
-    for i, point in enumerate(points):
+    for i, point in enumerate(path.points):
         target, moved = np.asarray(point), 0
-        report = converged(problem, run, aimed(target), q, tolerance, cap, 1, memory)
+        report = converged(solver, path.task(target), q, memory)
         near = moving_point_distances(problem, report.q)
         while moved < rule.cap:
             other = with_target_moved(target, former, near, problem.planes, problem.zones, rule)
             if other is target:
                 break
             target, moved = other, moved + 1
-            report = converged(problem, run, aimed(target), report.q, tolerance, cap, 1, report.memory)
+            report = converged(solver, path.task(target), report.q, report.memory)
             near = moving_point_distances(problem, report.q)
         former = target if rule.ratchets else np.asarray(point)
         q, memory = report.q, report.memory
         rows.append((target, q, near, _missed(report), moved))
-        progress((i + 1) / len(points))
+        progress((i + 1) / len(path.points))
     targets, joints, distance, errors, moves = (np.array(column) for column in zip(*rows, strict=True))
     return Track(targets, joints, distance, errors, moves, memory)
 

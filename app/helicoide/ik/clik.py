@@ -16,7 +16,7 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
-from helicoide.ik.method import Method, Solution, Task
+from helicoide.ik.method import ConfiguredMethod, Solution, Task
 from helicoide.ik.task import rotation_error
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
@@ -39,6 +39,8 @@ class TaskError:
 
 
 TaskFunction = Callable[[Array, float], TaskError]
+# q̇₀ (n,) as a function of q (n,) and t, s.
+NullSpaceVelocity = Callable[[Array, float], Array]
 
 
 def quaternion_vector_error(R_target: Array, R_tool: Array) -> Array:
@@ -85,19 +87,35 @@ def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = Tr
     return lambda q, t: tool_task_error(problem, link_poses(problem.robot.chain, q), T_world_target, with_orientation)
 
 
+@dataclass(frozen=True, eq=False)
+class ControlLaw:
+    """The control law q̇ = inverse(J)(ẋ_d + Λ e) of a closed loop, and its sample time.
+
+    gains: Λ, 1/s, one for all rows or (r,); dt, s. Source: Vargas 2013, eq. 2.33; Cerbaro 2022, §4.4.2.
+    """
+
+    inverse: ConfiguredMethod
+    gains: Array | float
+    dt: float
+
+    def task(self, aim: TaskError, q: Array) -> Task:
+        """The task of one step at q (n,), rad or m."""
+        return task_from(aim, self.gains, q, self.dt)
+
+
 def task_from(aim: TaskError, gains: Array | float, q: Array, dt: float) -> Task:
     """The task with ν = ẋ_d + Λ e. Args: gains: Λ, 1/s, one for all rows or (r,); q (n,), rad or m; dt, s."""
     return Task(q, aim.J, aim.feedforward + gains * aim.error, dt)
 
 
 def solve_with_null_space(
-    problem: Problem, method: Method, task: Task, memory: Any, options: Any, push: Array | None = None
+    problem: Problem, inverse: ConfiguredMethod, task: Task, memory: Any, push: Array | None = None
 ) -> tuple[Solution, Any]:
     """The solution of a method plus q̇₀ (n,) in the null space of J, and the new memory: q̇ + (I − J† J) q̇₀.
 
-    Source: Cerbaro 2022, eq. 9; Vargas 2013, eq. 2.51.
+    memory: of the method, None at the start. Source: Cerbaro 2022, eq. 9; Vargas 2013, eq. 2.51.
     """
-    solution, memory = method.step(problem, task, memory, options)
+    solution, memory = inverse.answered(problem, task, memory)
     if push is None:
         return solution, memory
     return replace(solution, rates=solution.rates + analyse_jacobian(task.J).null_projector @ push), memory
@@ -116,26 +134,20 @@ class LoopStep:
 
 def closed_loop(
     problem: Problem,
-    method: Method,
-    options: Any,
+    law: ControlLaw,
     aiming: TaskFunction,
-    gains: Array | float,
     q: Array,
-    dt: float,
-    push: Callable[[Array, float], Array] | None = None,
+    push: NullSpaceVelocity | None = None,
     memory: Any = None,
 ) -> Iterator[LoopStep]:
     """The closed loop from q (n,), without the guarded step: an endless iterator of steps, explicit Euler in q.
 
-    gains: Λ, 1/s, one for all rows or (r,); dt, s; push: q̇₀ at q and t, (n,); memory: of the method, None at the start.
+    push: q̇₀ at q and t, (n,); memory: of the method, None at the start.
     """
     t = 0.0
     while True:
         aim = aiming(q, t)
-        task = task_from(aim, gains, q, dt)
-        if memory is None:
-            memory = method.start(task, options)
-        solution, memory = solve_with_null_space(problem, method, task, memory, options, push and push(q, t))
+        solution, memory = solve_with_null_space(problem, law.inverse, law.task(aim, q), memory, push and push(q, t))
         yield LoopStep(t, q, aim, solution, memory)
-        q = q + problem.joint_units * solution.rates * dt
-        t += dt
+        q = q + problem.joint_units * solution.rates * law.dt
+        t += law.dt

@@ -21,7 +21,7 @@ from helicoide.ik.guard.guarded import indices
 from helicoide.ik.guard.rows import Indices
 from helicoide.ik.guard.rows import Task as Rows
 from helicoide.ik.limit_gains import clipped
-from helicoide.ik.method import Solution, Task
+from helicoide.ik.method import ConfiguredMethod, Solution, Task
 from helicoide.ik.objective import Posture
 from helicoide.ik.packing import packed
 from helicoide.ik.postures.subspace import project_to_subspace
@@ -75,6 +75,11 @@ class Controller:
         """The options of a method: the changed ones, else the defaults."""
         return self.changed.get(method) or methods.named(method).Options()
 
+    @property
+    def inverse(self) -> ConfiguredMethod:
+        """Its method with the options."""
+        return ConfiguredMethod(methods.named(self.method), self.options(self.method))
+
     def with_method(self, method: str) -> Controller:
         """The same controller with another method and without memory."""
         return replace(self, method=method, memory=None, solution=None, refusal=None)
@@ -82,6 +87,18 @@ class Controller:
     def with_options(self, method: str, options: Any) -> Controller:
         """The same controller with other options of a method; the memory is kept."""
         return replace(self, changed=MappingProxyType({**self.changed, method: options}))
+
+
+@dataclass(frozen=True, eq=False)
+class ToolTarget:
+    """Where the tool is asked to go. T_world_target (4, 4), m; with_orientation: whether its orientation counts too.
+
+    ahead: velocity of its point, (3,), m/s.
+    """
+
+    T_world_target: Array
+    with_orientation: bool
+    ahead: Array
 
 
 def reference_velocity(aim: TaskError, gains: Gains) -> Array:
@@ -100,25 +117,16 @@ def _no_faster(velocity: Array, most: float) -> Array:
     return velocity * (most / length) if length > most else velocity
 
 
-def closed_loop_task(
-    problem: Problem,
-    q: Array,
-    poses: Array,
-    T_world_target: Array,
-    with_orientation: bool,
-    ahead: Array,
-    gains: Gains,
-    dt: float,
-) -> Task:
+def closed_loop_task(problem: Problem, posture: Posture, target: ToolTarget, gains: Gains, dt: float) -> Task:
     """The task of the closed loop at a posture: the rows of `clik.tool_task_error` that the arm can move at all.
 
     With orientation, the target is replaced by the nearest pose that an arm with fewer than six joints can take. The
-    rows of the task then do not contradict each other.
-
-    Args: q (n,), rad or m, and its poses; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
+    rows of the task then do not contradict each other. dt, s.
     """
-    goal = project_to_subspace(problem.robot, T_world_target, q).T_world_goal if with_orientation else T_world_target
-    aim = tool_task_error(problem, poses, goal, with_orientation, np.append(ahead, np.zeros(3)))
+    q, goal = posture.q, target.T_world_target
+    if target.with_orientation:
+        goal = project_to_subspace(problem.robot, goal, q).T_world_goal
+    aim = tool_task_error(problem, posture.poses, goal, target.with_orientation, np.append(target.ahead, np.zeros(3)))
     rows = movable_rows(problem.robot)[: len(aim.J)]
     return Task(q, aim.J[rows], reference_velocity(aim, gains)[rows], dt)
 
@@ -129,13 +137,12 @@ def step(problem: Problem, task: Task, poses: Array, controller: Controller) -> 
     Where the method does not apply to the task, or the task has no rows, Δq = 0 and `refusal` says why.
     Args: poses (m + 1, 4, 4) at task.q.
     """
-    method, options = methods.named(controller.method), controller.options(controller.method)
+    inverse = controller.inverse
     task, push = with_secondary(problem, task, poses, controller)
-    why = method.applies(task) if len(task.J) > 0 else NO_ROWS
+    why = inverse.method.applies(task) if len(task.J) > 0 else NO_ROWS
     if why is not None:
         return np.zeros(len(task.q)), replace(controller, memory=None, solution=None, refusal=why)
-    memory = method.start(task, options) if controller.memory is None else controller.memory
-    solution, memory = solve_with_null_space(problem, method, task, memory, options, push)
+    solution, memory = solve_with_null_space(problem, inverse, task, controller.memory, push)
     return joint_displacement(problem, task, replace(controller, memory=memory, solution=solution, refusal=None))
 
 
@@ -185,22 +192,21 @@ def level_starts(controller: Controller, with_orientation: bool) -> list[int]:
 
 
 def with_objective(
-    problem: Problem, q: Array, poses: Array, task: Rows, begins: list[int], second: SecondaryObjective, dt: float
+    problem: Problem, posture: Posture, task: Rows, begins: list[int], second: SecondaryObjective, dt: float
 ) -> tuple[Rows, Indices]:
     """A task with a secondary objective: one additional row, or n rows as the last level.
 
-    Args: q (n,), rad or m, and its poses; task; begins: the rows at which its further levels begin; dt, s.
+    Args: posture of the arm; task; begins: the rows at which its further levels begin; dt, s.
     Returns the new task and `begins`.
     """
     J, v, weights, damping = task
     rows = 6 if weights[3] > 0 else 3
-    here = Posture(q, poses, problem.obstacles.points)
-    cost = objectives.named(second.objective).cost(problem, here, second.options)
+    cost = objectives.named(second.objective).cost(problem, posture, second.options)
     if second.as_row:
         more, asked = cost.gradient[None] / problem.joint_units, np.array([-cost.value * dt])
         weight = problem.robot.reach
     else:
         begins = [*begins, rows]
-        more, asked, weight = np.eye(len(q)), -second.weight * cost.gradient * problem.joint_units * dt, 1.0
+        more, asked, weight = np.eye(len(posture.q)), -second.weight * cost.gradient * problem.joint_units * dt, 1.0
     J, v = np.vstack([J[:rows], more]), np.append(v[:rows], asked)
     return (J, v, np.append(weights[:rows], np.full(len(asked), weight)), damping), indices(begins)

@@ -7,7 +7,7 @@ Source: Cerbaro 2022, §4.4.2–4.4.4 (iterative convergence) and §6.1 (inner c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import islice
@@ -18,8 +18,8 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import LoopStep, TaskError, TaskFunction, closed_loop
-from helicoide.ik.method import Method
+from helicoide.ik.clik import ControlLaw, LoopStep, NullSpaceVelocity, TaskError, TaskFunction, closed_loop
+from helicoide.ik.method import ConfiguredMethod
 from helicoide.text import Text
 
 CAP, CAP_PER_POINT = 200, 60
@@ -29,7 +29,7 @@ PAUSES, AT_REST = 5, 1e-9
 # Jᵀ e counts as zero up to this fraction of ‖J‖ ‖e‖: no joint motion reduces the error.
 UNFELT = 1e-6
 
-# A closed loop as a function of the task, the initial q and the memory. `loop_of` makes one.
+# A closed loop as a function of the task, the initial q and the memory.
 Run = Callable[[TaskFunction, Array, Any], Iterator[LoopStep]]
 
 
@@ -45,7 +45,27 @@ class Tolerance:
         return position <= self.position and orientation <= self.orientation
 
 
-INNER = Tolerance(position=0.010, orientation=inf)
+@dataclass(frozen=True)
+class StoppingCriterion:
+    """When an iteration ends: within the tolerance, but after `least` steps, or after `cap` steps in any case."""
+
+    tolerance: Tolerance = Tolerance()
+    cap: int = CAP
+    least: int = 0
+
+
+POSE = StoppingCriterion()
+# Along a path each point takes at least one step. Source: Cerbaro 2022, §6.1 (position to 10 mm; the cap is assumed).
+INNER = StoppingCriterion(Tolerance(position=0.010, orientation=inf), CAP_PER_POINT, 1)
+
+
+@dataclass(frozen=True, eq=False)
+class IterativeSolver:
+    """An iteration to a fixed pose: the closed loop of an arm, and when it ends. `solver_of` makes one of a method."""
+
+    problem: Problem
+    run: Run
+    until: StoppingCriterion = POSE
 
 
 class Convergence(Enum):
@@ -103,19 +123,20 @@ class Report:
         return self.outcome.value.format(n=self.iterations, mm=1000 * position, rad=orientation)
 
 
-def loop_of(
+def solver_of(
     problem: Problem,
-    method: Method,
-    options: Any,
+    inverse: ConfiguredMethod,
     factor: float,
-    push: Callable[[Array, float], Array] | None = None,
+    until: StoppingCriterion = POSE,
+    push: NullSpaceVelocity | None = None,
     dt: float = 1.0,
-) -> Run:
-    """The closed loop of a method with Λ Δt = κ, the step factor.
+) -> IterativeSolver:
+    """The iteration of a method with Λ Δt = κ, the step factor.
 
     Args: factor: κ; push: q̇₀ at q and t, (n,); dt, s: duration of an iteration, for q̇₀ and for methods that use it.
     """
-    return lambda aiming, q, memory: closed_loop(problem, method, options, aiming, factor / dt, q, dt, push, memory)
+    law = ControlLaw(inverse, factor / dt, dt)
+    return IterativeSolver(problem, lambda aiming, q, memory: closed_loop(problem, law, aiming, q, push, memory), until)
 
 
 def frozen_reference(aiming: TaskFunction, t: float) -> TaskFunction:
@@ -136,28 +157,19 @@ def error_norms(problem: Problem, aim: TaskError) -> tuple[float, float]:
     return problem.length * float(np.linalg.norm(aim.error[:3])), float(np.linalg.norm(aim.error[3:]))
 
 
-def converged(
-    problem: Problem,
-    run: Run,
-    aiming: TaskFunction,
-    q: Array,
-    tolerance: Tolerance = Tolerance(),
-    cap: int = CAP,
-    least: int = 0,
-    memory: Any = None,
-) -> Report:
-    """Iterate from q (n,) until the error is within the tolerance, the arm stands still, or `cap` steps are taken.
+def converged(solver: IterativeSolver, aiming: TaskFunction, q: Array, memory: Any = None) -> Report:
+    """Iterate from q (n,) until the solver's criterion holds or the arm stands still.
 
-    aiming: the task, with a fixed target (see `frozen_reference`); least: the smallest number of steps; memory: of the
-    loop, None at the start.
+    aiming: the task, with a fixed target (see `frozen_reference`); memory: of the loop, None at the start.
     """
     errors: list[tuple[float, float]] = []
+    until = solver.until
     outcome, pauses, coming = Convergence.CAPPED, 0, memory
-    for moment in islice(run(aiming, q, memory), cap + 1):
+    for moment in islice(solver.run(aiming, q, memory), until.cap + 1):
         pauses = pauses + 1 if errors and np.abs(moment.q - q).max() < AT_REST else 0
         q, memory, coming = moment.q, coming, moment.memory
-        errors.append(error_norms(problem, moment.task_error))
-        if len(errors) > least and tolerance.holds(*errors[-1]):
+        errors.append(error_norms(solver.problem, moment.task_error))
+        if len(errors) > until.least and until.tolerance.holds(*errors[-1]):
             outcome = Convergence.CONVERGED
             break
         if pauses == PAUSES:
@@ -172,37 +184,3 @@ def _at_rest(aim: TaskError) -> Convergence:
     return (
         Convergence.UNFELT if felt <= UNFELT * np.linalg.norm(aim.J) * np.linalg.norm(aim.error) else Convergence.HELD
     )
-
-
-@dataclass(frozen=True, eq=False)
-class PathReport:
-    """The results along a sampled path: a report for each of its points."""
-
-    reports: tuple[Report, ...]
-
-    @property
-    def refused(self) -> dict[int, float]:
-        """The points not reached within the tolerance: index and position error, m."""
-        return {i: float(report.errors[-1, 0]) for i, report in enumerate(self.reports) if not report.reached}
-
-
-def converge_along(
-    problem: Problem,
-    run: Run,
-    aims: Iterable[TaskFunction],
-    q: Array,
-    tolerance: Tolerance = INNER,
-    cap: int = CAP_PER_POINT,
-    memory: Any = None,
-) -> PathReport:
-    """Iterate from q (n,) to one point of a path after another, each until the tool is within the tolerance.
-
-    Each point takes at least one step. After `cap` steps the iteration goes on to the next point from where it is.
-    Source: Cerbaro 2022, §6.1 (position to 10 mm; the cap is assumed).
-    """
-    reports = []
-    for aiming in aims:
-        report = converged(problem, run, aiming, q, tolerance, cap, 1, memory)
-        q, memory = report.q, report.memory
-        reports.append(report)
-    return PathReport(tuple(reports))

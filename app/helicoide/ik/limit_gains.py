@@ -13,9 +13,8 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import LoopStep, TaskFunction, solve_with_null_space, task_from
-from helicoide.ik.method import Method
-from helicoide.ik.secondary import Chosen, Others, nobody, push
+from helicoide.ik.clik import ControlLaw, LoopStep, TaskFunction, solve_with_null_space
+from helicoide.ik.secondary import Chosen, push
 
 GROWTH = 1.01
 
@@ -31,6 +30,14 @@ def clipped(q: Array, lower: Array, upper: Array, gains: Array, growth: float = 
 
 
 @dataclass(frozen=True, eq=False)
+class GrowingObjective:
+    """The objectives whose gains Algorithm 1 increases: each with its options; growth as in `clipped`."""
+
+    chosen: Chosen
+    growth: float = GROWTH
+
+
+@dataclass(frozen=True, eq=False)
 class LimitGainMemory:
     """Memory of the loop: k₀ (n,), 1/s, and the memory of the method."""
 
@@ -40,32 +47,23 @@ class LimitGainMemory:
 
 def loop_with_limit_gains(
     problem: Problem,
-    method: Method,
-    options: Any,
+    law: ControlLaw,
+    objective: GrowingObjective,
     aiming: TaskFunction,
-    gains: Array | float,
-    chosen: Chosen,
-    memory: LimitGainMemory,
     q: Array,
-    dt: float,
-    others: Others = nobody,
-    growth: float = GROWTH,
+    memory: LimitGainMemory,
 ) -> Iterator[LoopStep]:
     """`clik.closed_loop` with the objectives in the null space, q̇₀ = −diag(k₀) ∂f/∂q, and Algorithm 1 after each step.
 
-    memory: the initial one; each `LoopStep` has the one after it; chosen and others as in `secondary.push`; growth as
-    in `clipped`.
+    memory: the initial one; each `LoopStep` has the one after it.
     """
     t, k0, of_method = 0.0, memory.gains, memory.method
     while True:
         aim = aiming(q, t)
-        task = task_from(aim, gains, q, dt)
-        if of_method is None:
-            of_method = method.start(task, options)
-        pushed = push(problem, chosen, k0, others)(q, t)
-        solution, of_method = solve_with_null_space(problem, method, task, of_method, options, pushed)
-        moved = q + problem.joint_units * solution.rates * dt
-        moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0, growth)
+        pushed = push(problem, objective.chosen, k0)(q, t)
+        solution, of_method = solve_with_null_space(problem, law.inverse, law.task(aim, q), of_method, pushed)
+        moved = q + problem.joint_units * solution.rates * law.dt
+        moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0, objective.growth)
         yield LoopStep(t, q, aim, solution, LimitGainMemory(k0, of_method))
         q = moved
-        t += dt
+        t += law.dt

@@ -195,3 +195,16 @@ class Method(Protocol):
 
     def step(self, problem: Problem, task: Task, memory: Any, options: Any) -> tuple[Solution, Any]:
         """The solution of one task, and the memory for the next."""
+
+
+@dataclass(frozen=True, eq=False)
+class ConfiguredMethod:
+    """A method of inverse kinematics with its options."""
+
+    method: Method
+    options: Any
+
+    def answered(self, problem: Problem, task: Task, memory: Any) -> tuple[Solution, Any]:
+        """The solution of one task and the memory for the next. memory: None for the method's initial memory."""
+        memory = self.method.start(task, self.options) if memory is None else memory
+        return self.method.step(problem, task, memory, self.options)

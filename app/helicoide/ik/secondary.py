@@ -14,7 +14,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import TaskError, TaskFunction
+from helicoide.ik.clik import NullSpaceVelocity, TaskError, TaskFunction
 from helicoide.ik.objective import NOBODY, Cost, Objective, Posture, posture_at
 from helicoide.text import HelicoideError, Text
 
@@ -33,9 +33,7 @@ def total(problem: Problem, chosen: Chosen, at: Posture) -> Cost:
     return Cost(sum(cost.value for cost in costs), sum((cost.gradient for cost in costs), np.zeros(len(at.q))))
 
 
-def push(
-    problem: Problem, chosen: Chosen, gains: Array | float, others: Others = nobody
-) -> Callable[[Array, float], Array]:
+def push(problem: Problem, chosen: Chosen, gains: Array | float, others: Others = nobody) -> NullSpaceVelocity:
     """q̇₀ = −K₀ ∂f/∂q as a function of q and t, for the null space in `clik.closed_loop`.
 
     gains: k₀, 1/s, one for all joints, or (n,) for the diagonal of K₀; others: points of a second arm at t, (k, 3), m.

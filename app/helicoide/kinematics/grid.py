@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,15 @@ from helicoide.kernels import kernel
 
 Counts = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+
+
+class Cells(NamedTuple):
+    """A `WorkspaceGrid` for the kernels; shape (d,) as an array."""
+
+    origin: Array
+    axes: Array
+    size: float
+    shape: Counts
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +38,11 @@ class WorkspaceGrid:
     axes: Array
     size: float
     shape: tuple[int, ...]
+
+    @property
+    def packed(self) -> Cells:
+        """The grid for the kernels."""
+        return Cells(self.origin, self.axes, self.size, np.array(self.shape, dtype=np.int64))
 
     @property
     def count(self) -> int:
@@ -54,8 +69,9 @@ class WorkspaceGrid:
 
 
 @kernel
-def cell_index(point: Array, origin: Array, axes: Array, size: float, shape: Counts) -> int:
-    """The number of the cell that holds a point (3,), m; −1 outside the grid. Args: as in `Cells`, shape (d,)."""
+def cell_index(point: Array, cells: Cells) -> int:
+    """The number of the cell that holds a point (3,), m; −1 outside the grid."""
+    origin, axes, size, shape = cells
     number = 0
     for k in range(shape.shape[0]):
         along = 0.0

@@ -18,7 +18,7 @@ from helicoide.kernels import CACHE_FOLDER
 from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.grid import Counts, Mask, WorkspaceGrid
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace_kernels import BANDS, HEADINGS, PLANAR_BINS, ROLLS, Flags, count_into_cells
+from helicoide.kinematics.workspace_kernels import BANDS, HEADINGS, PLANAR_BINS, ROLLS, MapPart, count_into_cells
 from helicoide.text import HelicoideError, Text, numbers_text
 
 MapKind = Literal["reachable", "dexterous", "manipulability"]
@@ -66,18 +66,6 @@ class MapPlan:
         for part in (*joints, self.T_link_tool, self.lower, self.upper, *grid):
             checksum.update(np.ascontiguousarray(part).tobytes() + b"|")
         return checksum.hexdigest()
-
-
-@dataclass(frozen=True, eq=False)
-class MapPart:
-    """The result of one or more chunks: hits (count,), orientations (count, k), best (count,).
-
-    The last two may be empty.
-    """
-
-    hits: Counts
-    orientations: Flags
-    best: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,11 +175,7 @@ def count_chunk(plan: MapPlan, chunk: int) -> MapPart:
     part = empty_part(plan)
     size = min(CHUNK, plan.samples - chunk * CHUNK)
     postures = np.random.default_rng([plan.seed, chunk]).uniform(plan.lower, plan.upper, (size, len(plan.lower)))
-    cells, shape = plan.cells, np.array(plan.cells.shape, dtype=np.int64)
-    count_into_cells(
-        plan.chain, plan.T_link_tool, postures, cells.origin, cells.axes, cells.size, shape,
-        part.hits, part.orientations, part.best,
-    )  # fmt: skip
+    count_into_cells(plan.chain, plan.T_link_tool, postures, plan.cells.packed, part)
     return part
 
 

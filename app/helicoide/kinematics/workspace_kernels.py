@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,13 +11,24 @@ from helicoide.arrays import Array
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.grid import Counts, cell_index
+from helicoide.kinematics.grid import Cells, Counts, cell_index
 from helicoide.kinematics.jacobian import geometric_jacobian, joint_axes
 
 Flags = NDArray[np.uint8]
 # Bins of orientation. In a plane: the angle about the normal. In space: bands of equal area around the vertical,
 # headings within a band, and rolls about the pointing axis; a random orientation falls into each bin equally likely.
 PLANAR_BINS, BANDS, HEADINGS, ROLLS = 64, 4, 8, 4
+
+
+class MapPart(NamedTuple):
+    """The result of some postures: hits (count,), orientations (count, orientation bins), best (count,).
+
+    best: the largest manipulability in a cell. The last two may be empty.
+    """
+
+    hits: Counts
+    orientations: Flags
+    best: Array
 
 
 @kernel
@@ -64,34 +77,23 @@ def row_volume(J: Array) -> float:
 
 
 @kernel
-def count_into_cells(
-    chain: Chain,
-    T_link_tool: Array,
-    postures: Array,
-    origin: Array,
-    axes: Array,
-    size: float,
-    shape: Counts,
-    counts: Counts,
-    orientations: Flags,
-    best: Array,
-) -> None:
+def count_into_cells(chain: Chain, T_link_tool: Array, postures: Array, cells: Cells, part: MapPart) -> None:
     """Count postures into the cells that hold their tool points: hits, and optionally orientation bins or the best w.
 
-    Args: postures (k, n), rad or m; the grid as in `WorkspaceGrid`; counts (count,); orientations (count, orientation
-    bins) and best (count,), each empty if not wanted. The last three are changed. The orientation is that of the last
-    link, from which the tool's differs by a constant rotation.
+    Args: postures (k, n), rad or m; part: what was counted so far, its arrays are changed; orientations and best are
+    empty if not wanted. The orientation is that of the last link, from which the tool's differs by a constant rotation.
     """
+    hits, orientations, best = part
     for k in range(postures.shape[0]):
         poses = link_poses(chain, postures[k])
         T = poses[-1] @ T_link_tool
         point = T[:3, 3].copy()
-        cell = cell_index(point, origin, axes, size, shape)
+        cell = cell_index(point, cells)
         if cell < 0:
             continue
-        counts[cell] += 1
+        hits[cell] += 1
         if orientations.shape[0] > 0:
-            orientations[cell, orientation_bin(poses[-1, :3, :3].copy(), axes)] = 1
+            orientations[cell, orientation_bin(poses[-1, :3, :3].copy(), cells.axes)] = 1
         if best.shape[0] > 0:
             J = geometric_jacobian(poses, chain, joint_axes(poses, chain), point, chain.shape[0])
-            best[cell] = max(best[cell], row_volume(axes @ J[:3].copy()))
+            best[cell] = max(best[cell], row_volume(cells.axes @ J[:3].copy()))

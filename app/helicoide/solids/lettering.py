@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from trimesh import Trimesh
 
@@ -39,10 +41,17 @@ STROKES: dict[str, list[list[tuple[float, float]]]] = {
 }
 
 
-def word(
-    text: str, height: float, depth: float, axis: cad.Axis, at: Place, pen: float = 0.9, upright: bool = True
-) -> Trimesh:
-    """Raised letters centred on `at`, along u, or downwards when not upright; the pen's width is in squares."""
+class Lettering(NamedTuple):
+    """The size of raised letters: their height, how far they stand out, and the width of the pen in squares."""
+
+    height: float
+    depth: float
+    pen: float = 0.9
+
+
+def word(text: str, size: Lettering, axis: cad.Axis, at: Place, upright: bool = True) -> Trimesh:
+    """Raised letters centred on `at`, along u, or downwards when not upright."""
+    height, depth, pen = size
     square, start = height / 6, -(ADVANCE * len(text) - (ADVANCE - 4)) / 2
     strokes = [np.add(s, [start + ADVANCE * i, -3]) * square for i, c in enumerate(text) for s in STROKES[c]]
     if not upright:
@@ -50,7 +59,7 @@ def word(
     return cad.letters(strokes, pen * square, depth, axis, at)
 
 
-def on_both_sides(text: str, height: float, depth: float, at: Place, pen: float = 0.9) -> list[Trimesh]:
+def on_both_sides(text: str, size: Lettering, at: Place) -> list[Trimesh]:
     """The word on the right side of the arm, centred on `at`, and mirrored in position on its left side."""
     x, y, z = at
-    return [word(text, height, depth, "-y", at, pen), word(text, height, depth, "y", (x, -y, z), pen)]
+    return [word(text, size, "-y", at), word(text, size, "y", (x, -y, z))]

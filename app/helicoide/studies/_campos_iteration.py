@@ -10,7 +10,8 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, methods
 from helicoide.ik.clik import to_pose
-from helicoide.ik.converge import Report, converged, loop_of
+from helicoide.ik.converge import Report, StoppingCriterion, converged, solver_of
+from helicoide.ik.methods import configured_method
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import EXACT
@@ -31,10 +32,9 @@ def converged_from_starts(robot: Robot, count: int) -> list[Start]:
     """The random starts (n,), rad, and what damped least squares reach from each, for the goal of `EXAMPLE`."""
     problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
     aiming = to_pose(problem, tool_at(robot, np.array(EXAMPLE[robot.name])), True)
-    method = methods.named("damped")
-    loop = loop_of(problem, method, method.Options(), 0.5, dt=PERIOD)
+    solver = solver_of(problem, configured_method("damped"), 0.5, StoppingCriterion(EXACT, CAP), dt=PERIOD)
     starts = np.random.default_rng(24).uniform(-2.5, 2.5, (count, len(robot.variables)))
-    return [(q, converged(problem, loop, aiming, q, EXACT, CAP)) for q in starts]
+    return [(q, converged(solver, aiming, q)) for q in starts]
 
 
 def iteration_rows(robot: Robot, starts: list[Start], answer: Answer) -> Iterator[Row]:

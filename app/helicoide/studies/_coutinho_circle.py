@@ -8,9 +8,10 @@ from itertools import islice
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.ik import clik, methods
+from helicoide.ik import clik
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm import rod
+from helicoide.ik.rcm.follow import PSEUDOINVERSE
 from helicoide.ik.rcm.passage import through
 from helicoide.ik.rcm.residuals import depth, lateral_distance
 from helicoide.kinematics.library import load_robot
@@ -69,17 +70,9 @@ def run_circle_once(
 ) -> Run:
     """A run of one turn with Kp = 5 and z₀ = −0.2 (q − q₀): columns of its steps, and q at times t_w, s."""
     problem, passage = problem_without_planes(rod_arm()), through(rod_arm(), 7)
-    method = methods.named("pseudoinverse")
-    moments = clik.closed_loop(
-        problem,
-        method,
-        method.Options(),
-        rod.to_points(problem, passage, tip_reference),
-        rod.gains(passage, 5.0, entry_gain),
-        START,
-        dt,
-        push=lambda q, t: -0.2 * (q - START),
-    )
+    law = clik.ControlLaw(PSEUDOINVERSE, rod.gains(passage, 5.0, entry_gain), dt)
+    aiming = rod.to_points(problem, passage, tip_reference)
+    moments = clik.closed_loop(problem, law, aiming, START, push=lambda q, t: -0.2 * (q - START))
     steps, stride = round(seconds / dt) + 1, round(STRIDE / dt)
     rows, seldom = [], []
     for step, moment in enumerate(islice(moments, steps)):

@@ -11,9 +11,9 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.ik.method import OneOf, Quantity
+from helicoide.ik.method import ConfiguredMethod, OneOf, Quantity
 from helicoide.ik.postures.branch import tool_at
-from helicoide.ik.rcm.follow import ConfiguredMethod, RcmReference, rcm_loop
+from helicoide.ik.rcm.follow import RcmReference, rcm_loop
 from helicoide.ik.rcm.passage import through
 from helicoide.studies._coutinho_rows import FEEDBACK
 from helicoide.studies._coutinho_runs import (
@@ -24,7 +24,7 @@ from helicoide.studies._coutinho_runs import (
     Run,
     dia10,
     entry_on,
-    initial_memory,
+    initial_rcm_state,
     problem_without_planes,
     run_columns,
     source_control,
@@ -114,8 +114,8 @@ def run_led(
     entry, device = entry_on(robot, START, DEPTH), HapticDevice(hand, tool_at(robot, START), entry_speed)
     position, orientation = GAINS["experiments"]
     gained = source_control(feedback, of_tool, position=position, orientation=orientation)
-    memory = initial_memory(problem, passage, gained, START, entry)
-    steps = rcm_loop(problem, passage, gained, device.reference, START, entry, STEP, memory)
+    start = initial_rcm_state(problem, passage, gained, START, entry)
+    steps = rcm_loop(problem, passage, gained, device.reference, start, STEP)
     got = run_columns(steps, round(seconds / STEP) + 1, STEP, progress)
     return {**got, "w": (got["inside"] / got["outside"]) ** 2 * np.abs(np.sin(got["q7"]))}
 

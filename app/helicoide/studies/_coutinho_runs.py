@@ -13,10 +13,12 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
+from helicoide.ik.method import ConfiguredMethod
+from helicoide.ik.methods import configured_method
 from helicoide.ik.methods.filtered import Memory
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.follow import PSEUDOINVERSE, ConfiguredMethod, RcmControl, RcmStep, configured_method, rcm_loop
+from helicoide.ik.rcm.follow import PSEUDOINVERSE, RcmControl, RcmState, RcmStep, rcm_loop
 from helicoide.ik.rcm.passage import Passage, through
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
@@ -155,18 +157,16 @@ def path_steps(name: str, control: RcmControl, dt: float, insertion: RunStart = 
     robot, path = dia10(), PATHS[name]
     problem, passage = problem_without_planes(robot), through(robot, LINK, path.across)
     entry = entry_on(robot, start, depth)
-    memory = initial_memory(problem, passage, control, start, entry)
-    return rcm_loop(problem, passage, control, path.task(tool_at(robot, start)), start, entry, dt, memory)
+    begin = initial_rcm_state(problem, passage, control, start, entry)
+    return rcm_loop(problem, passage, control, path.task(tool_at(robot, start)), begin, dt)
 
 
-def initial_memory(
-    problem: Problem, passage: Passage, control: RcmControl, start: Array, entry: Array
-) -> tuple[Memory | None, None]:
-    """The initial memory of the two inverses: Θ = J^r† for a filtered one. Args: start (n,), rad; entry (3,), m."""
+def initial_rcm_state(problem: Problem, passage: Passage, control: RcmControl, start: Array, entry: Array) -> RcmState:
+    """The state at the start, where a filtered inverse remembers Θ = J^r†. Args: start (n,), rad; entry (3,), m."""
     if control.of_tool.method.REMEMBERS is None:
-        return None, None
+        return RcmState(start, entry)
     J = constrained(problem, passage, start, entry, control.basis).J
-    return Memory(np.asarray(np.linalg.pinv(J), dtype=np.float64)), None
+    return RcmState(start, entry, (Memory(np.asarray(np.linalg.pinv(J), dtype=np.float64)), None))
 
 
 def run_path(

@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, objectives
-from helicoide.ik.clik import TaskFunction, closed_loop
+from helicoide.ik.clik import ControlLaw, TaskFunction, closed_loop
 from helicoide.ik.method import Quantity
 from helicoide.ik.secondary import push
 from helicoide.kinematics.forward import link_poses
@@ -71,7 +71,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     objective = objectives.named("reference_posture")
     to_b = push(orca, [(objective, objective.Options(reference=tuple(B)))], options.pull)
     here = setups.position_task(orca, setups.fixed_point(*setups.tool_position(orca, A)))
-    moments = closed_loop(orca, *setups.damped_inverse(0.0), here, GAIN, A, DT, to_b)
+    moments = closed_loop(orca, ControlLaw(setups.damped_inverse(0.0), GAIN, DT), here, A, to_b)
     way = collected(moments, SECONDS / 2 if short else SECONDS, progress)
     return Result(
         rows=_rows(orca, way),

@@ -9,8 +9,9 @@ from typing import Annotated
 
 import numpy as np
 
-from helicoide.ik.method import OneOf
-from helicoide.ik.rcm.follow import PSEUDOINVERSE, ConfiguredMethod, configured_method
+from helicoide.ik.method import ConfiguredMethod, OneOf
+from helicoide.ik.methods import configured_method
+from helicoide.ik.rcm.follow import PSEUDOINVERSE
 from helicoide.ik.rcm.paths import SAMPLE
 from helicoide.studies._coutinho_hand import BODY_FRAME_ERROR, ENTRY_SPEED, GAINS, STEP
 from helicoide.studies._coutinho_rows import (

@@ -13,7 +13,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.branch import tool_at
-from helicoide.ik.rcm.follow import RcmReference, RcmStep, body_velocity, pose_error, rcm_loop
+from helicoide.ik.rcm.follow import RcmReference, RcmState, RcmStep, body_velocity, pose_error, rcm_loop
 from helicoide.ik.rcm.passage import through
 from helicoide.studies._coutinho_rows import TIME
 from helicoide.studies._coutinho_runs import (
@@ -89,7 +89,8 @@ def _approach(options: Options) -> Iterator[RcmStep]:
     gained = source_control(position=options.position, orientation=options.orientation)
     wish = RcmReference(target, STILL, np.zeros(2))
     entry = entry_on(robot, START, DEPTH)
-    return rcm_loop(problem_without_planes(robot), through(robot, LINK), gained, lambda t: wish, START, entry, STEP)
+    problem, start = problem_without_planes(robot), RcmState(START, entry)
+    return rcm_loop(problem, through(robot, LINK), gained, lambda t: wish, start, STEP)
 
 
 def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:

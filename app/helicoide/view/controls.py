@@ -7,6 +7,7 @@ before it is added, so that a row that raises adds nothing.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from time import monotonic
 from typing import Any, Literal
 
@@ -35,40 +36,45 @@ UNTOUCHED = 0.7
 COLOURS: dict[Weight, Literal["blue", "gray", "red"]] = {"primary": "blue", "plain": "gray", "destructive": "red"}
 
 
+@dataclass(frozen=True)
+class Binding:
+    """What a control shows of a view, and the request that a change of its value makes.
+
+    label: None for one that does not change.
+    """
+
+    value: Callable[[View], Any]
+    request: Callable[[Any], PageRequest | None]
+    enabled: Callable[[View], bool] = always
+    label: Callable[[View], str] | None = None
+
+
 class ValueControl:
     """A control with a value. It is written when it differs, but not just after the user changed it.
 
     While it is disabled, it makes no requests.
     """
 
-    def __init__(
-        self,
-        handle: Any,
-        value: Callable[[View], Any],
-        request: Callable[[Any], PageRequest | None],
-        ask: Ask,
-        view: View,
-        enabled: Callable[[View], bool] = always,
-        label: Callable[[View], str] | None = None,
-    ) -> None:
-        self.handle, self.value, self.enabled, self.view, self.label = handle, value, enabled, view, label
+    def __init__(self, handle: Any, binding: Binding, view: View, ask: Ask) -> None:
+        self.handle, self.binding, self.view = handle, binding, view
         self.touched = 0.0
 
         def touched(given: Any) -> None:
             self.touched = monotonic()
-            ask(lambda: request(given) if self.enabled(self.view) else None)
+            ask(lambda: binding.request(given) if binding.enabled(self.view) else None)
 
         bind.on_value(handle, touched)
 
     def refresh(self, view: View) -> None:
         """Update the control to a view."""
         self.view = view
-        disabled = not self.enabled(view)
+        disabled = not self.binding.enabled(view)
         if disabled != self.handle.disabled:
             self.handle.disabled = disabled
-        if self.label is not None and self.label(view) != self.handle.label:
-            self.handle.label = self.label(view)
-        value = self.value(view)
+        label = self.binding.label
+        if label is not None and label(view) != self.handle.label:
+            self.handle.label = label(view)
+        value = self.binding.value(view)
         if value != self.handle.value and monotonic() - self.touched > UNTOUCHED:
             self.handle.value = value
 
@@ -122,13 +128,13 @@ def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> ValueControl
 
     disabled = not row.enabled(view)
     handle = gui.add_slider(label(view), row.lower, row.upper, row.step, value(view), disabled=disabled)
-    return ValueControl(handle, value, row.request, ask, view, row.enabled, label)
+    return ValueControl(handle, Binding(value, row.request, row.enabled, label), view, ask)
 
 
 def checkbox(gui: viser.GuiApi, row: Checkbox, view: View, ask: Ask) -> ValueControl:
     """A checkbox."""
     handle = gui.add_checkbox(row.label[view.seat.language], row.value(view))
-    return ValueControl(handle, row.value, row.request, ask, view)
+    return ValueControl(handle, Binding(row.value, row.request), view, ask)
 
 
 class ChoiceControl(ValueControl):
@@ -140,7 +146,8 @@ class ChoiceControl(ValueControl):
         handle = gui.add_dropdown(
             row.label[view.seat.language], tuple(words.values()), initial_value=words[row.value(view)]
         )
-        super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._request, ask, view)
+        binding = Binding(lambda view: self._words(view)[row.value(view)], self._request)
+        super().__init__(handle, binding, view, ask)
 
     def _words(self, view: View) -> dict[str, str]:
         """The text of each key; equal texts get a number."""
@@ -167,7 +174,8 @@ class ChoiceControl(ValueControl):
 def vector_boxes(gui: viser.GuiApi, row: VectorRow, view: View, ask: Ask) -> ValueControl:
     """Three boxes for numbers."""
     handle = gui.add_vector3(row.label[view.seat.language], row.value(view), step=row.step)
-    placed = ValueControl(handle, row.value, lambda given: row.request(placed.view, given), ask, view)
+    binding = Binding(row.value, lambda given: row.request(placed.view, given))
+    placed = ValueControl(handle, binding, view, ask)
     return placed
 
 

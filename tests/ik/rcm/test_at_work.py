@@ -10,8 +10,9 @@ from tests.kinematics.arms import derivative
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik import EntryPoint, Problem
-from helicoide.ik.controller import Controller
+from helicoide.ik.controller import Controller, ToolTarget
 from helicoide.ik.guard.entry import GAIN
+from helicoide.ik.objective import posture_at
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import body_velocity, pose_error
@@ -50,7 +51,7 @@ def test_the_velocity_of_the_tool_is_that_of_the_source(problem: Problem, entry:
     source = body_velocity(
         at.T_world_tool[:3, :3], np.append(ahead, STILL), pose_error(target, at.T_world_tool), GAINS[0], 2 * GAINS[3]
     )
-    np.testing.assert_allclose(tool_velocity(at, target, ahead, GAINS), source, atol=1e-12)
+    np.testing.assert_allclose(tool_velocity(at, ToolTarget(target, True, ahead), GAINS), source, atol=1e-12)
 
 
 def test_tip_and_entry_point_are_one_task_of_derivatives(problem: Problem, entry: EntryPoint) -> None:
@@ -61,7 +62,7 @@ def test_tip_and_entry_point_are_one_task_of_derivatives(problem: Problem, entry
         return np.concatenate([tool_at(problem.robot, q)[:3, 3], -place.lateral])
 
     target = near(tool_at(problem.robot, START))
-    task = tip_task(problem, entry, START, target, STILL, GAINS, 0.01)
+    task = tip_task(problem, entry, START, ToolTarget(target, False, STILL), GAINS, 0.01)
     np.testing.assert_allclose(task.J, derivative(residuals, START), atol=1e-9)
     np.testing.assert_allclose(task.rate[:3], 3.0 * (target - tool_at(problem.robot, START))[:3, 3], atol=1e-12)
     np.testing.assert_allclose(task.rate[3:], -GAIN * residuals(START)[3:], atol=1e-12)
@@ -75,8 +76,7 @@ def test_whatever_inverts_for_the_tool_the_shaft_keeps_its_entry_point(problem: 
     passage, target = passage_of(problem.robot, problem.entry), near(tool_at(problem.robot, START))
     for _ in range(50):
         at = constrained(problem, passage, q, problem.entry.point)
-        poses = link_poses(problem.robot.chain, q)
-        step, drive = rcm_step(problem, q, poses, target, True, STILL, drive, 0.01)
+        step, drive = rcm_step(problem, posture_at(problem, q), ToolTarget(target, True, STILL), drive, 0.01)
         np.testing.assert_allclose(at.at_entry(step / 0.01), GAIN * at.place.lateral, atol=1e-9)
         q = q + step
     if method == "pseudoinverse":

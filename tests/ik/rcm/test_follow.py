@@ -12,16 +12,16 @@ from tests.ik.rcm.runs import START
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik import methods
-from helicoide.ik.method import Promise
+from helicoide.ik.method import ConfiguredMethod, Promise
+from helicoide.ik.methods import configured_method
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import (
-    ConfiguredMethod,
     RcmControl,
     RcmReference,
+    RcmState,
     RcmStep,
     body_velocity,
-    configured_method,
     pose_error,
     rcm_loop,
 )
@@ -125,7 +125,8 @@ def still(T: Array, r: int = 2, entry_rate: Array | None = None) -> Callable[[fl
 def loop(
     control: RcmControl, wished: Callable[[float], RcmReference], entry: Array, dt: float = 0.002
 ) -> Iterator[RcmStep]:
-    return rcm_loop(problem_without_planes(dia10()), through(dia10(), LINK), control, wished, START, entry, dt)
+    start = RcmState(START, entry)
+    return rcm_loop(problem_without_planes(dia10()), through(dia10(), LINK), control, wished, start, dt)
 
 
 def at_step(moments: Iterator[RcmStep], step: int) -> RcmStep:
@@ -203,7 +204,8 @@ def test_any_method_may_invert_it(name: str, across: Array, basis) -> None:
         assert at.J.shape == (6, 7) or Promise.KEEPS_LIMITS in method.PROMISES
         return
     control = RcmControl(of_tool=chosen, basis=basis, entry=5.0)
-    moments = list(islice(rcm_loop(problem_without_planes(dia10()), passage, control, wished, START, entry, 0.01), 100))
+    start = RcmState(START, entry)
+    moments = list(islice(rcm_loop(problem_without_planes(dia10()), passage, control, wished, start, 0.01), 100))
     assert max(np.abs(one.entry_slip).max() for one in moments) < 1e-13
     assert np.linalg.norm(moments[-1].error[:3]) < np.linalg.norm(moments[0].error[:3])
 

@@ -7,30 +7,34 @@ from functools import lru_cache
 import numpy as np
 from numpy import empty
 
-from helicoide.arrays import Array
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.measure import COLUMNS, measured, remains, stand_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 
 # Columns of a variable: its limits, whether a full turn changes nothing, and the cost of its motion, 1/rad or 1/m.
 LOWER, UPPER, WHOLE, WEIGHT = range(4)
+TURN = 7  # column of the tool: 1 if the orientation counts, else 0
 # Columns of a posture after its q: its errors against the asked pose, m and rad; whether every joint is within its
 # limits; its number in the order found; its errors against the pose that was solved for; the cost of the motion.
 MISSED, TURNED, WITHIN, NUMBER, LEFT, LEFT_TURNED, COST = range(7)
+NOWHERE = frozen(np.empty(0))  # no current joint values
 ON_LIMIT = 1e-9  # rounding tolerance for a joint at its limit, rad or m
 REACHED = 1e-5  # the largest errors of a goal that counts as reached, m and rad
 
 
 @lru_cache(maxsize=64)
-def listing_table(robot: Robot) -> Array:
+def listing_table(robot: Robot, with_orientation: bool) -> Array:
     """A robot packed for the kernel, (m + 1 + n, 10): the rows of `measured`, then those of the variables.
 
     All variables have equal weights, as in `choice.alike`.
     """
+    arm = measured(robot).copy()
+    arm[-1, TURN] = with_orientation
     joints = np.zeros((len(robot.variables), COLUMNS))
     joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.periodic
     joints[:, WEIGHT] = [1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables]
-    return np.concatenate([measured(robot), joints])
+    return np.concatenate([arm, joints])
 
 
 def listed_in_order(
@@ -43,7 +47,7 @@ def listed_in_order(
     m. Returns (k, n + 7), with the columns above.
     """
     rows = empty((len(found), len(q) + 7))
-    list_into(listing_table(robot), found, T_asked, solved, q, with_orientation, True, rows)
+    list_into(listing_table(robot, with_orientation), found, T_asked, solved, q, rows)
     return rows
 
 
@@ -52,9 +56,8 @@ def listed_as_found(robot: Robot, found: Array, T_asked: Array, solved: Array, w
 
     Arguments and result as in `listed_in_order`.
     """
-    still = np.zeros(len(robot.variables))
-    rows = empty((len(found), len(still) + 7))
-    list_into(listing_table(robot), found, T_asked, solved, still, with_orientation, False, rows)
+    rows = empty((len(found), len(robot.variables) + 7))
+    list_into(listing_table(robot, with_orientation), found, T_asked, solved, NOWHERE, rows)
     return rows
 
 
@@ -108,25 +111,16 @@ def follows(one: Array, other: Array) -> bool:
 
 
 @kernel_into
-def list_into(
-    robot: Array,
-    found: Array,
-    T_asked: Array,
-    solved: Array,
-    now: Array,
-    with_orientation: bool,
-    ordered: bool,
-    rows: Array,
-) -> None:
-    """Write the rows of `listed_in_order`, or those of `listed_as_found`.
+def list_into(table: Array, found: Array, T_asked: Array, solved: Array, now: Array, rows: Array) -> None:
+    """Write the rows of `listed_in_order`, or those of `listed_as_found` if `now` is empty.
 
-    Source: Campos 1998, s.17 (the choice of the nearest).
+    Args: table of `listing_table`; rows (k, n + 7), written. Source: Campos 1998, s.17 (the choice of the nearest).
     """
-    n, k = now.shape[0], found.shape[0]
-    arm, joints = robot[: robot.shape[0] - n], robot[robot.shape[0] - n :]
+    n, k, ordered = rows.shape[1] - 7, found.shape[0], now.shape[0] > 0
+    arm, joints = table[: table.shape[0] - n], table[table.shape[0] - n :]
     wished, goal = stand_of(T_asked), stand_of(solved)
     as_asked = wished == goal
-    turns = 1.0 if with_orientation else 0.0
+    turns = arm[arm.shape[0] - 1, TURN]
     for i in range(k):
         row = rows[i]
         said, within, cost = row[n:], True, 0.0

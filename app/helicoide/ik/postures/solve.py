@@ -9,8 +9,8 @@ from helicoide.arrays import Array
 from helicoide.confinement import Obstacles, planes_of
 from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import TaskFunction, task_from, to_pose
-from helicoide.ik.converge import Tolerance, converged, loop_of
-from helicoide.ik.method import Method, Task
+from helicoide.ik.converge import StoppingCriterion, Tolerance, converged, solver_of
+from helicoide.ik.method import ConfiguredMethod, Method, Task
 from helicoide.ik.postures import listing, numeric, subspace
 from helicoide.ik.postures.answer import Answer, Form, Found, Words, answer_as_found, answer_in_order
 from helicoide.ik.postures.branch import check_pose, pose_of, sentences
@@ -144,8 +144,8 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
     why = method.applies(_task(aiming, q))
     if why is not None:
         raise _refused(robot, why, with_orientation)
-    run = loop_of(problem, method, method.Options(), FACTOR, dt=PERIOD)
-    report = converged(problem, run, aiming, q, EXACT, STEPS)
+    inverse, until = ConfiguredMethod(method, method.Options()), StoppingCriterion(EXACT, STEPS)
+    report = converged(solver_of(problem, inverse, FACTOR, until, dt=PERIOD), aiming, q)
     told = Words((method.TITLE,), sentences(goal.words, report.words))
     found = Found(report.q[None], goal.T_world_goal, told, goal.moved, goal.turned)
     return answer_as_found(robot, found, T, with_orientation)

@@ -15,8 +15,9 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.ik import Problem, methods
-from helicoide.ik.method import Method, Solution, Task
+from helicoide.ik import Problem
+from helicoide.ik.method import ConfiguredMethod, Solution
+from helicoide.ik.methods import configured_method
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
 from helicoide.ik.rcm.passage import Passage, passage_refusal
@@ -34,25 +35,6 @@ class RcmReference:
     T_world_target: Array
     feedforward: Array
     entry_rate: Array
-
-
-@dataclass(frozen=True, eq=False)
-class ConfiguredMethod:
-    """A method of inverse kinematics with its options."""
-
-    method: Method
-    options: Any
-
-    def answered(self, problem: Problem, task: Task, memory: Any) -> tuple[Solution, Any]:
-        """The solution of one task and the memory for the next. memory: None for the method's initial memory."""
-        memory = self.method.start(task, self.options) if memory is None else memory
-        return self.method.step(problem, task, memory, self.options)
-
-
-def configured_method(name: str, **options: Any) -> ConfiguredMethod:
-    """The method with this name, with the given options. Raises HelicoideError for an unknown name."""
-    method = methods.named(name)
-    return ConfiguredMethod(method, method.Options(**options))
 
 
 PSEUDOINVERSE = configured_method("pseudoinverse")
@@ -73,6 +55,18 @@ class RcmControl:
     orientation: float = 10.0
     entry: float = 0.0
     basis: Basis = "scaled"
+
+
+@dataclass(frozen=True, eq=False)
+class RcmState:
+    """The state of the loop. q (n,), rad or m; entry_world: p_rcm (3,), m; memory: of the inverses of tool and arm.
+
+    memory: None for the initial memory of an inverse.
+    """
+
+    q: Array
+    entry_world: Array
+    memory: tuple[Any, Any] = (None, None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,20 +135,18 @@ def rcm_loop(
     passage: Passage,
     control: RcmControl,
     task_at: Callable[[float], RcmReference],
-    q: Array,
-    entry_world: Array,
+    start: RcmState,
     dt: float,
-    memory: tuple[Any, Any] = (None, None),
 ) -> Iterator[RcmStep]:
-    """Steps of the closed loop from q (n,) with the entry point at p_rcm (3,), m, without end.
+    """Steps of the closed loop from its state at the start, without end. dt, s.
 
-    Explicit Euler, also for the entry point: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. memory: of the two inverses; None for
-    their initial memory. Raises HelicoideError where the arm has too few joints, see `passage_refusal`.
+    Explicit Euler, also for the entry point: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. Raises HelicoideError where the arm has
+    too few joints, see `passage_refusal`.
     """
     refused = passage_refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)
-    t = 0.0
+    t, q, entry_world, memory = 0.0, start.q, start.entry_world, start.memory
     while True:
         at = constrained(problem, passage, q, entry_world, control.basis)
         wish = task_at(t)

@@ -68,7 +68,7 @@ def aim(problem: Problem, passage: Passage, q: Array, task: TipTask) -> TaskErro
 
 
 def to_points(problem: Problem, passage: Passage, targets: Callable[[float], TipTask]) -> TaskFunction:
-    """The task function for `clik.followed`. Raises HelicoideError if the arm has too few joints."""
+    """The task function for `clik.closed_loop`. Raises HelicoideError if the arm has too few joints."""
     refused = rod_refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)

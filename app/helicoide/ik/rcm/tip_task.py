@@ -11,11 +11,12 @@ from dataclasses import replace
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik import EntryPoint, Problem, methods
+from helicoide.ik import EntryPoint, Problem
 from helicoide.ik.clik import TaskError
-from helicoide.ik.controller import Controller, Gains, reference_velocity, step
+from helicoide.ik.controller import Controller, Gains, ToolTarget, reference_velocity, step
 from helicoide.ik.guard.entry import GAIN
 from helicoide.ik.method import Task
+from helicoide.ik.objective import Posture
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, pose_error
@@ -44,60 +45,46 @@ def refused(problem: Problem, with_orientation: bool, controller: Controller) ->
     return passage_refusal(problem.robot, passage) or (NOTHING_FREE if controller.secondary is not None else None)
 
 
-def tip_task(
-    problem: Problem, entry: EntryPoint, q: Array, T_world_target: Array, ahead: Array, gains: Gains, dt: float
-) -> Task:
+def tip_task(problem: Problem, entry: EntryPoint, q: Array, target: ToolTarget, gains: Gains, dt: float) -> Task:
     """The task (5, n) that brings the tip to its target point and the shaft to the entry point: ν = ẋ_d + Λ e.
 
-    Args: q (n,), rad or m; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
+    Args: q (n,), rad or m; dt, s.
     """
-    wish = TipTask(T_world_target[:3, 3], ahead, entry.point, np.zeros(2))
+    wish = TipTask(target.T_world_target[:3, 3], target.ahead, entry.point, np.zeros(2))
     aim = rod.aim(problem, passage_of(problem.robot, entry), q, wish)
     nu = reference_velocity(replace(aim, error=aim.error[:3], feedforward=aim.feedforward[:3]), gains)
     return Task(q, aim.J, np.concatenate([nu, GAIN * aim.error[3:]]), dt)
 
 
-def tool_velocity(at: Constrained, T_world_target: Array, ahead: Array, gains: Gains) -> Array:
+def tool_velocity(at: Constrained, target: ToolTarget, gains: Gains) -> Array:
     """ν (6,), body velocity of the tool, m/s and rad/s: `follow.body_velocity` with a gain for each world axis.
 
-    Limited by `controller.reference_velocity`. Args: T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s.
+    Limited by `controller.reference_velocity`.
     """
     R, length = at.T_world_tool[:3, :3], at.problem.length
-    error = pose_error(T_world_target, at.T_world_tool)
+    error = pose_error(target.T_world_target, at.T_world_tool)
     wished = np.concatenate([(R @ error[:3]) / length, 2.0 * error[3:]])
-    nu = reference_velocity(TaskError(np.empty((6, 0)), wished, np.concatenate([ahead / length, np.zeros(3)])), gains)
+    nu = reference_velocity(TaskError(np.empty((6, 0)), wished, np.append(target.ahead / length, np.zeros(3))), gains)
     return np.concatenate([R.T @ nu[:3] * length - np.cross(nu[3:], error[:3]), nu[3:]])
 
 
 def rcm_step(
-    problem: Problem,
-    q: Array,
-    poses: Array,
-    T_world_target: Array,
-    with_orientation: bool,
-    ahead: Array,
-    controller: Controller,
-    dt: float,
+    problem: Problem, posture: Posture, target: ToolTarget, controller: Controller, dt: float
 ) -> tuple[Array, Controller]:
-    """The joint displacement Δq (n,), rad or m, that the method asks for, and the controller after it.
-
-    poses (m + 1, 4, 4) at q (n,); T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
-    """
-    entry = problem.entry
+    """The joint displacement Δq (n,), rad or m, that the method asks for, and the controller after it. dt, s."""
+    q, entry = posture.q, problem.entry
     assert entry is not None
-    if (why := refused(problem, with_orientation, controller)) is not None:
+    if (why := refused(problem, target.with_orientation, controller)) is not None:
         return np.zeros(len(q)), replace(controller, memory=None, solution=None, refusal=why)
-    if not with_orientation:
-        return step(
-            problem, tip_task(problem, entry, q, T_world_target, ahead, controller.gains, dt), poses, controller
-        )
+    if not target.with_orientation:
+        task = tip_task(problem, entry, q, target, controller.gains, dt)
+        return step(problem, task, posture.poses, controller)
     at = constrained(problem, passage_of(problem.robot, entry), q, entry.point)
     asked = GAIN * at.place.lateral
-    task = at.task(tool_velocity(at, T_world_target, ahead, controller.gains), asked, dt)
-    method, options = methods.named(controller.method), controller.options(controller.method)
-    if (why := method.applies(task)) is not None:
+    task = at.task(tool_velocity(at, target, controller.gains), asked, dt)
+    inverse = controller.inverse
+    if (why := inverse.method.applies(task)) is not None:
         return np.zeros(len(q)), replace(controller, memory=None, solution=None, refusal=why)
-    memory = method.start(task, options) if controller.memory is None else controller.memory
-    tool, memory = method.step(problem, task, memory, options)
+    tool, memory = inverse.answered(problem, task, controller.memory)
     arm, _ = PSEUDOINVERSE.answered(problem, at.arm_task(at.shaft_velocity(tool.rates, asked), dt), None)
     return at.rates(arm.rates, tool.rates) * dt, replace(controller, memory=memory, solution=tool, refusal=None)

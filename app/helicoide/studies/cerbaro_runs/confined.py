@@ -7,6 +7,7 @@ constrained QP step.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -17,11 +18,11 @@ from helicoide.command import FollowPath
 from helicoide.confinement import planes_of
 from helicoide.foresight import advance_with_search
 from helicoide.ik import Limits, Problem, limit_gains, objectives
-from helicoide.ik.adaptation import Rule, Track, adapted, moving_point_distances, trimmed
-from helicoide.ik.clik import TaskFunction
+from helicoide.ik.adaptation import Rule, TargetPoints, Track, adapted, moving_point_distances, trimmed
+from helicoide.ik.clik import ControlLaw, LoopStep, TaskFunction
 from helicoide.ik.controller import Controller, SecondaryObjective
-from helicoide.ik.converge import Run, Tolerance, converged, loop_of
-from helicoide.ik.limit_gains import GROWTH, LimitGainMemory
+from helicoide.ik.converge import INNER, IterativeSolver, StoppingCriterion, Tolerance, converged, solver_of
+from helicoide.ik.limit_gains import GROWTH, GrowingObjective, LimitGainMemory
 from helicoide.ik.secondary import push
 from helicoide.kinematics.library import load_robot
 from helicoide.state import State, initial_state, with_command
@@ -97,18 +98,21 @@ def limit_margins(problem: Problem, q: Array) -> Array:
     return np.asarray(np.degrees(np.minimum(q - lower, upper - q).min(axis=0)))
 
 
-def solver_of_case(problem: Problem, case: int, gains: Gains) -> Run:
+def solver_of_case(problem: Problem, case: int, gains: Gains) -> IterativeSolver:
     """The solver of a case: damped least squares, with the objective in cases 2 and 3 and Algorithm 1 in case 3."""
-    method, options = setups.damped_inverse(gains.damping)
+    inverse, until = setups.damped_inverse(gains.damping), StoppingCriterion(Tolerance(gains.tolerance))
     if case == 1:
-        return loop_of(problem, method, options, gains.factor)
+        return solver_of(problem, inverse, gains.factor, until)
     chosen = setups.limit_distance()
     if case == 2:
-        return loop_of(problem, method, options, gains.factor, push(problem, chosen, gains.k0), DT)
+        return solver_of(problem, inverse, gains.factor, until, push(problem, chosen, gains.k0), DT)
+    law, objective = ControlLaw(inverse, gains.factor / DT, DT), GrowingObjective(chosen, gains.growth)
     first = LimitGainMemory(np.full(len(problem.limits.lower), gains.k0))
-    return lambda aiming, q, memory: limit_gains.loop_with_limit_gains(
-        problem, method, options, aiming, gains.factor / DT, chosen, memory or first, q, DT, growth=gains.growth
-    )
+
+    def run(aiming: TaskFunction, q: Array, memory: LimitGainMemory | None) -> Iterator[LoopStep]:
+        return limit_gains.loop_with_limit_gains(problem, law, objective, aiming, q, memory or first)
+
+    return IterativeSolver(problem, run, until)
 
 
 def task_of_case(problem: Problem, case: int, path: Ellipse, target: Array) -> TaskFunction:
@@ -127,12 +131,12 @@ def path_samples(path: Ellipse, samples: int) -> Array:
 def run_by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, progress: Progress) -> ConfinedRun:
     """The source's experiment: from home to the first point, then along the path, which is moved away from planes."""
     problem = confined_problem()
-    run, aimed = solver_of_case(problem, case, gains), partial(task_of_case, problem, case, path)
+    solver, task = solver_of_case(problem, case, gains), partial(task_of_case, problem, case, path)
     points = path_samples(path, samples)
     targets = trimmed(points, problem.planes, WALLS_AND_BENCH, problem.zones.warning)
-    tolerance = Tolerance(gains.tolerance)
-    begin = converged(problem, run, aimed(targets[0]), problem.robot.poses["home"], tolerance)
-    track = adapted(problem, run, aimed, targets, begin.q, rule, tolerance, memory=begin.memory, progress=progress)
+    begin = converged(solver, task(targets[0]), problem.robot.poses["home"])
+    per_point = replace(solver, until=replace(INNER, tolerance=solver.until.tolerance))
+    track = adapted(per_point, TargetPoints(targets, task), begin.q, rule, begin.memory, progress)
     return _course(problem, points, targets, track, gains)
 
 

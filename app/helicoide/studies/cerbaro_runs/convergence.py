@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import TaskFunction
-from helicoide.ik.converge import Report, Run, converged, loop_of
+from helicoide.ik.converge import IterativeSolver, Report, converged, solver_of
 from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.study import Chart, ChartLine, Interpretation, Motion, Result, Row, Statement
 from helicoide.text import Text, untranslated
@@ -48,16 +48,16 @@ def convergence_result(coming: ConvergenceCase, factor: float, damping: float) -
     return Result(rows, _charts(coming, reports, ways[[*reports].index(factor)]), ways)
 
 
-def _run(coming: ConvergenceCase, factor: float, damping: float) -> Run:
-    return loop_of(coming.problem, *setups.damped_inverse(damping), factor)
+def _solver(coming: ConvergenceCase, factor: float, damping: float) -> IterativeSolver:
+    return solver_of(coming.problem, setups.damped_inverse(damping), factor)
 
 
 def _came(coming: ConvergenceCase, factor: float, damping: float) -> Report:
-    return converged(coming.problem, _run(coming, factor, damping), coming.aiming, coming.problem.robot.poses["home"])
+    return converged(_solver(coming, factor, damping), coming.aiming, coming.problem.robot.poses["home"])
 
 
 def _motion(coming: ConvergenceCase, factor: float, damping: float, report: Report) -> Motion:
-    run, robot = _run(coming, factor, damping), coming.problem.robot
+    run, robot = _solver(coming, factor, damping).run, coming.problem.robot
     way = np.array([m.q for m in islice(run(coming.aiming, robot.poses["home"], None), report.iterations + 1)])
     return Motion(robot.name, np.arange(float(len(way))), way, title=_name(factor))
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.confinement import planes_of
-from helicoide.ik import Limits, Problem, methods, objectives
+from helicoide.ik import Limits, Problem, objectives
 from helicoide.ik.clik import TaskError, TaskFunction, tool_task_error
-from helicoide.ik.converge import Tolerance, converged, frozen_reference, loop_of
-from helicoide.ik.method import Method
+from helicoide.ik.converge import StoppingCriterion, Tolerance, converged, frozen_reference, solver_of
+from helicoide.ik.method import ConfiguredMethod
+from helicoide.ik.methods import configured_method
 from helicoide.ik.secondary import Chosen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load_robot
@@ -38,10 +38,9 @@ def movemaster() -> Problem:
     return Problem(robot, Limits(lower, upper, robot.speed), planes_of(()), scale=MM)
 
 
-def damped_inverse(damping: float) -> tuple[Method, Any]:
-    """Damped least squares with λ in mm/rad, or the pseudoinverse where that is 0, each with its options."""
-    method = methods.named("damped" if damping > 0 else "pseudoinverse")
-    return method, method.Options(damping) if damping > 0 else method.Options()
+def damped_inverse(damping: float) -> ConfiguredMethod:
+    """Damped least squares with λ in mm/rad, or the pseudoinverse where that is 0."""
+    return configured_method("damped", damping=damping) if damping > 0 else configured_method("pseudoinverse")
 
 
 def limit_distance() -> Chosen:
@@ -105,8 +104,8 @@ def joint_sum_task(problem: Problem, path: PointPath, sums: Array, wanted: Array
 
 def solved_posture(problem: Problem, aiming: TaskFunction, q: Array) -> Array:
     """The joint values that solve a task to rounding, by Newton's method from q (n,), rad."""
-    newton = loop_of(problem, *damped_inverse(0.0), 1.0)
-    report = converged(problem, newton, frozen_reference(aiming, 0.0), q, Tolerance(1e-12, 1e-12))
+    newton = solver_of(problem, damped_inverse(0.0), 1.0, StoppingCriterion(Tolerance(1e-12, 1e-12)))
+    report = converged(newton, frozen_reference(aiming, 0.0), q)
     assert report.reached
     return report.q
 

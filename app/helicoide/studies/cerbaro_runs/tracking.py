@@ -13,8 +13,8 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import limit_gains
-from helicoide.ik.clik import closed_loop
-from helicoide.ik.limit_gains import LimitGainMemory
+from helicoide.ik.clik import ControlLaw, closed_loop
+from helicoide.ik.limit_gains import GrowingObjective, LimitGainMemory
 from helicoide.ik.secondary import push
 from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.cerbaro_runs.runs import LoopRun, collected
@@ -61,7 +61,8 @@ def run_circle(
     aiming = setups.heading_task(orca, setups.point_along(CIRCLE))
     q = setups.solved_posture(orca, aiming, orca.robot.poses["home"])
     gains = np.array([position_gain, position_gain, position_gain, heading_gain]) / dt
-    return collected(closed_loop(orca, *setups.damped_inverse(0.0), aiming, gains, q, dt), seconds, progress)
+    law = ControlLaw(setups.damped_inverse(0.0), gains, dt)
+    return collected(closed_loop(orca, law, aiming, q), seconds, progress)
 
 
 def run_ellipse(
@@ -80,7 +81,8 @@ def run_ellipse(
     aiming = setups.pitch_and_roll_task(movemaster, setups.point_along(ELLIPSE, velocity), ELLIPSE.pitch)
     q = setups.solved_posture(movemaster, aiming, movemaster.robot.poses["home"])
     gains = np.array([position_gain] * 3 + [orientation_gain] * 2) / dt
-    return collected(closed_loop(movemaster, *setups.damped_inverse(DAMPING), aiming, gains, q, dt), seconds, progress)
+    law = ControlLaw(setups.damped_inverse(DAMPING), gains, dt)
+    return collected(closed_loop(movemaster, law, aiming, q), seconds, progress)
 
 
 def run_free_circle(
@@ -91,7 +93,8 @@ def run_free_circle(
     q = setups.solved_posture(orca, setups.heading_task(orca, setups.point_along(CIRCLE)), orca.robot.poses["home"])
     pushed = push(orca, setups.limit_distance(), k0)
     aiming = setups.position_task(orca, setups.point_along(CIRCLE))
-    return collected(closed_loop(orca, *setups.damped_inverse(0.0), aiming, 0.8 / dt, q, dt, pushed), seconds, progress)
+    law = ControlLaw(setups.damped_inverse(0.0), 0.8 / dt, dt)
+    return collected(closed_loop(orca, law, aiming, q, pushed), seconds, progress)
 
 
 def start_of_ellipse(pitch_deg: float = -60.0) -> Array:
@@ -130,13 +133,11 @@ def run_free_ellipse(
 ) -> LoopRun:
     """The Movemaster follows its ellipse from q (5,), rad, with free orientation; velocity as in `ellipse`."""
     movemaster, chosen = setups.movemaster(), setups.limit_distance()
-    aiming, feedback = setups.position_task(movemaster, setups.point_along(ELLIPSE, velocity)), 1.8 / dt
-    method, options = setups.damped_inverse(DAMPING)
+    aiming = setups.position_task(movemaster, setups.point_along(ELLIPSE, velocity))
+    law = ControlLaw(setups.damped_inverse(DAMPING), 1.8 / dt, dt)
     if gain.growth is None:
         pushed = push(movemaster, chosen, gain.k0)
-        return collected(closed_loop(movemaster, method, options, aiming, feedback, q, dt, pushed), seconds, progress)
-    memory, growth = LimitGainMemory(np.full(5, gain.k0)), gain.growth
-    moments = limit_gains.loop_with_limit_gains(
-        movemaster, method, options, aiming, feedback, chosen, memory, q, dt, growth=growth
-    )
+        return collected(closed_loop(movemaster, law, aiming, q, pushed), seconds, progress)
+    objective, memory = GrowingObjective(chosen, gain.growth), LimitGainMemory(np.full(5, gain.k0))
+    moments = limit_gains.loop_with_limit_gains(movemaster, law, objective, aiming, q, memory)
     return collected(moments, seconds, progress)

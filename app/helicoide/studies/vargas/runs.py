@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, methods
-from helicoide.ik.clik import OrientationError, TaskError, TaskFunction, closed_loop, tool_task_error
+from helicoide.ik.clik import ControlLaw, OrientationError, TaskError, TaskFunction, closed_loop, tool_task_error
+from helicoide.ik.methods import configured_method
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.studies.study import Progress
@@ -140,11 +141,10 @@ class Experiment:
 
 def run_method(experiment: Experiment, by: MethodSettings, progress: Progress = lambda share: None) -> MethodRun:
     """A run of a method in an experiment."""
-    method, steps = methods.named(by.method), round(experiment.seconds / experiment.dt) + 1
+    steps = round(experiment.seconds / experiment.dt) + 1
     stride = max(1, steps // MAX_POINTS)
-    problem, aiming, gains = experiment.problem, experiment.aiming, experiment.gains
-    start, options = np.array(experiment.start, float), method.Options(**by.options)
-    moments = closed_loop(problem, method, options, aiming, gains, start, experiment.dt)
+    law = ControlLaw(configured_method(by.method, **by.options), experiment.gains, experiment.dt)
+    moments = closed_loop(experiment.problem, law, experiment.aiming, np.array(experiment.start, float))
     columns: list[tuple[float, Array, Array, Array, Array, Array]] = []
     figures = []
     for i, now in enumerate(islice(moments, steps)):

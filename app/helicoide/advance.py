@@ -126,7 +126,7 @@ def _stepped(state: State, task: Task, dt: float) -> State:
     """The state after a guarded step for a task: J, v, weights and damping."""
     q, arm = state.arm.q.copy(), drives.packed_arm(state.problem, state.request.controller)
     work = _from_here(state, arm)
-    step_task(arm, q, task, ONE_LEVEL, dt, work.memory)
+    step_task(arm, q, *task, ONE_LEVEL, dt, work.memory)
     return _after(state, q, work)
 
 
@@ -168,7 +168,7 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
             drives.level_starts(drive, request.with_orientation),
         )
         task, begins = drives.with_objective(problem, arm.q, arm.poses, task, split, drive.secondary, dt)
-        step_task(packed_arm, q, task, begins, dt, work.memory)
+        step_task(packed_arm, q, *task, begins, dt, work.memory)
     return _after(state, q, work)
 
 

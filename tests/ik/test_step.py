@@ -68,7 +68,7 @@ def test_a_pose_is_the_task_that_it_is_said_to_be(name: str) -> None:
     for T in path[::5]:
         one, other = q.copy(), q.copy()
         step(arm, one, T, STILL, DT, work_for(arm).memory)
-        step_task(arm, other, task_at(arm, q, T, STILL, DT), ONE_LEVEL, DT, work_for(arm).memory)
+        step_task(arm, other, *task_at(arm, q, T, STILL, DT), ONE_LEVEL, DT, work_for(arm).memory)
         np.testing.assert_array_equal(one, other)
         q = one
 

@@ -78,7 +78,8 @@ def walk(
         was[:], before_rates[:] = q, rates
         arm[SETTING, ORIENTATION] = turn if k % (5 * STAY) > STAY else 0.0
         if kind == 3:
-            step_task(arm, q, joint_task(q, q_target, -1, dt), begins, dt, memory)
+            J, v, weights, damping = joint_task(q, q_target, -1, dt)
+            step_task(arm, q, J, v, weights, damping, begins, dt, memory)
         else:
             step(arm, q, T, drift, dt, memory)
         share, after, sharpest = memory[SHARE], clearances(arm, q), 0.0

@@ -48,7 +48,8 @@ def roll_to_rest(
     for _ in range(ticks):
         rates[:] = 0.0
         if joints[0]:
-            step_task(arm, q, joint_task(q, joints[1], joints[2], dt), begins, dt, memory)
+            J, v, weights, damping = joint_task(q, joints[1], joints[2], dt)
+            step_task(arm, q, J, v, weights, damping, begins, dt, memory)
         else:
             step(arm, q, T_world_target, ahead, dt, memory)
         if dt * np.max(np.abs(rates)) < AT_REST:

@@ -63,15 +63,18 @@ def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float
 
 
 @kernel_into
-def step_task(arm: Array, q: Array, task: Task, begins: Indices, dt: float, memory: Array) -> float:
+def step_task(
+    arm: Array, q: Array, J: Array, v: Array, weights: Array, damping: Array, begins: Indices, dt: float, memory: Array
+) -> float:
     """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², one level after another.
 
-    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty
-    for one level. Other arguments and result as in `step`.
+    Args: J (r, n), v (r,), weights (r,), damping d (n,), one by one, as Python passes them faster than a tuple; begins:
+    the rows at which further levels begin, empty for one level. Other arguments and result as in `step`.
     """
     at = array_parts(arm)
     buffers = opened(memory, at)
     placed = placed_at(arm, at, q, buffers)
+    task = (J, v, weights, damping)
     if arm[SETTING, CARRIER] > 0.0 or begins.shape[0] > 0:
         tick_in_levels(placed, task, begins, dt, buffers)
     else:

@@ -62,7 +62,7 @@ def ticked(
     """The posture after one tick, its multipliers and the share taken."""
     after, work = q.copy(), work_for(packed(problem))
     work.rates[:] = 0.0 if rates is None else rates
-    step_task(packed(problem), after, task, begins, dt, work.memory)
+    step_task(packed(problem), after, *task, begins, dt, work.memory)
     return after, work.multipliers, work.share
 
 

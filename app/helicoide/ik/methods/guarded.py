@@ -80,6 +80,6 @@ def step(problem: Problem, task: Task, memory: Array, options: Options) -> tuple
     work = work_for(arm)
     work.rates[:] = memory
     J, damping = np.ascontiguousarray(task.J / units), (options.damping / units) ** 2
-    share = step_task(arm, q, (J, v, weights, damping), split, task.dt, work.memory)
+    share = step_task(arm, q, J, v, weights, damping, split, task.dt, work.memory)
     rates = frozen(work.rates)
     return Solution(rates / units, {"share": share}, reasons=reasons(problem, q, work.multipliers, work.pull)), rates

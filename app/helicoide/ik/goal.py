@@ -11,15 +11,15 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
 from helicoide.ik.guard.work import work_for
 from helicoide.ik.packing import packed
-from helicoide.ik.rollout import are_clear, roll_to_rest
+from helicoide.ik.rollout import Horizon, are_clear, roll_to_rest
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, allowed, rotation_error
 from helicoide.kinematics.forward import link_poses
 
 REACHED = 0.5e-3
 TURNED = np.radians(1.0)
 NEARER = 0.02
-_AHEAD = (0.05, 120)
-_COARSE = (0.1, 60)
+_AHEAD = Horizon(0.05, 120)
+_COARSE = Horizon(0.1, 60)
 _DRAWN, _STARTS = 400, 20
 
 
@@ -71,14 +71,11 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
 
 
 def goal_at_pose(
-    problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, ticks: tuple[float, int] = _AHEAD
+    problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, horizon: Horizon = _AHEAD
 ) -> Goal:
-    """Where the arm comes to rest when it is driven from q (n,), rad or m, towards T_world_target (4, 4), m.
-
-    ticks: duration, s, and largest number of the simulated steps.
-    """
+    """Where the arm comes to rest when it is driven from q (n,), rad or m, towards T_world_target (4, 4), m."""
     arm = packed(problem.without_acceleration_limits, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
-    return _rest(problem, arm, q, T_world_target, (False, q, EVERY), ticks)
+    return _rest(problem, arm, q, T_world_target, (False, q, EVERY), horizon)
 
 
 def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = EVERY) -> Goal:
@@ -97,12 +94,12 @@ def _rest(
     q: Array,
     T_world_target: Array,
     joints: tuple[bool, Array, int],
-    ticks: tuple[float, int],
+    horizon: Horizon,
 ) -> Goal:
-    """The goal where a packed arm comes to rest. Args: joints as in `roll_to_rest`; ticks as in `goal_at_pose`."""
+    """The goal where a packed arm comes to rest. Args: joints as in `roll_to_rest`."""
     rest, work = q.copy(), work_for(arm)
-    roll_to_rest(arm, rest, T_world_target, joints, *ticks, work.memory)
-    return _goal(problem, rest, T_world_target, work.multipliers, ticks[0])
+    roll_to_rest(arm, rest, T_world_target, joints, horizon, work.memory)
+    return _goal(problem, rest, T_world_target, work.multipliers, horizon.dt)
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +17,13 @@ from helicoide.kernels import kernel
 AT_REST = 1e-5
 
 
+class Horizon(NamedTuple):
+    """How far ahead ticks are simulated: the duration of one, s, and the largest number of them."""
+
+    dt: float
+    ticks: int
+
+
 @kernel
 def are_clear(arm: Array, postures: Array) -> NDArray[np.bool_]:
     """Which postures (p, n), rad or m, keep the distances from planes and obstacles and between bodies, (p,)."""
@@ -26,14 +35,15 @@ def are_clear(arm: Array, postures: Array) -> NDArray[np.bool_]:
 
 @kernel
 def roll_to_rest(
-    arm: Array, q: Array, T_world_target: Array, joints: tuple[bool, Array, int], dt: float, ticks: int, memory: Array
+    arm: Array, q: Array, T_world_target: Array, joints: tuple[bool, Array, int], horizon: Horizon, memory: Array
 ) -> None:
     """Guarded ticks, each from rest, until no joint moves by `AT_REST`; q and the work space are those of the last.
 
     Args: arm of `packing.packed`, without acceleration limits; q (n,), rad or m, changed in place; T_world_target
-    (4, 4), m; joints: whether to go to joint values instead, these values (n,), and `yielding` of `joint_task`; dt, s,
-    of a tick; ticks: the largest number of them; memory of `work.work_for`.
+    (4, 4), m; joints: whether to go to joint values instead, these values (n,), and `yielding` of `joint_task`; memory
+    of `work.work_for`.
     """
+    dt, ticks = horizon
     rates, ahead, begins = memory[REPORT : REPORT + q.shape[0]], np.zeros(3), np.empty(0, dtype=np.int64)
     for _ in range(ticks):
         rates[:] = 0.0

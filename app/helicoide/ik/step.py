@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.guarded import guarded_tick, update_poses
+from helicoide.ik.guard.guarded import guarded_tick, placed_at
 from helicoide.ik.guard.levels import tick_in_levels
-from helicoide.ik.guard.packed import CARRIER, ORIENTATION, POSITION_FIRST, SETTING, At, array_parts, place_links
+from helicoide.ik.guard.packed import CARRIER, ORIENTATION, POSITION_FIRST, SETTING, PlacedArm, array_parts, place_links
 from helicoide.ik.guard.rows import Indices, Task
 from helicoide.ik.guard.work import DAMPING, JACOBIAN, SHARE, StepBuffers, opened
 from helicoide.ik.task import pose_task
@@ -28,36 +28,37 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
     afterwards the results of this one. Returns the fraction of the step that was taken. Shapes are not checked.
     """
     at = array_parts(arm)
-    room = opened(memory, at)
-    update_poses(arm, at, q, room)
-    table, law = room.table, room.task
+    buffers = opened(memory, at)
+    placed = placed_at(arm, at, q, buffers)
+    table, law = buffers.table, buffers.task
     task = (table[JACOBIAN : JACOBIAN + 6], law[0], law[1], table[DAMPING])
-    pose_task(arm, at, room.frames[0], room.points[: at.m], T_world_target, ahead, dt, task)
+    pose_task(placed, T_world_target, ahead, dt, task)
     if arm[SETTING, CARRIER] > 0.0 or (arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0):
-        step_in_levels(arm, at, q, task, dt, room)
+        step_in_levels(placed, task, dt, buffers)
     else:
-        guarded_tick(arm, at, q, task, dt, room)
+        guarded_tick(placed, task, dt, buffers)
     return float(memory[SHARE])
 
 
 @kernel
-def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, buffers: StepBuffers) -> None:
+def step_in_levels(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffers) -> None:
     """The step of an arm with an instrument in an entry point, or with orientation as a second level."""
+    arm = placed.arm
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
     for k in range(begins.shape[0]):
         begins[k] = 3
-    tick_in_levels(arm, at, q, task, begins, dt, buffers)
+    tick_in_levels(placed, task, begins, dt, buffers)
 
 
 @kernel
 def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float) -> Task:
     """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m². Args as there."""
     at = array_parts(arm)
-    poses, axes = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4))
-    place_links(arm, at.m, q, poses, axes)
+    placed = PlacedArm(arm, at, q, np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4)))
+    place_links(placed)
     task = (np.empty((6, at.n)), np.empty(6), np.empty(6), np.empty(at.n))
-    pose_task(arm, at, poses, axes, T_world_target, ahead, dt, task)
+    pose_task(placed, T_world_target, ahead, dt, task)
     return task
 
 
@@ -67,15 +68,15 @@ def step_task(
 ) -> float:
     """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², one level after another.
 
-    Args: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty for one
-    level. Other arguments and result as in `step`.
+    Args: J (r, n), v (r,), weights (r,), damping d (n,), one by one, as Python passes them faster than a tuple; begins:
+    the rows at which further levels begin, empty for one level. Other arguments and result as in `step`.
     """
     at = array_parts(arm)
-    room = opened(memory, at)
-    update_poses(arm, at, q, room)
+    buffers = opened(memory, at)
+    placed = placed_at(arm, at, q, buffers)
     task = (J, v, weights, damping)
     if arm[SETTING, CARRIER] > 0.0 or begins.shape[0] > 0:
-        tick_in_levels(arm, at, q, task, begins, dt, room)
+        tick_in_levels(placed, task, begins, dt, buffers)
     else:
-        guarded_tick(arm, at, q, task, dt, room)
+        guarded_tick(placed, task, dt, buffers)
     return float(memory[SHARE])

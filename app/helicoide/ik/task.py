@@ -10,9 +10,20 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, array_parts
+from helicoide.ik.guard.packed import (
+    CRITICAL,
+    FIRST,
+    OFFSET,
+    ORIENTATION,
+    REACH,
+    SETTING,
+    TOOL,
+    At,
+    PlacedArm,
+    array_parts,
+)
 from helicoide.ik.guard.packed import DAMPING as LEAST_DAMPING
-from helicoide.ik.guard.qp import SOLVED, project_into_limits
+from helicoide.ik.guard.qp import SOLVED, Constraints, project_into_limits
 from helicoide.ik.guard.rows import Task, Vector, point_displacement
 from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.tool_kernels import ANGLE_RATIO, DRIVER, Row, rotation_to, tool_row, tool_rows
@@ -67,22 +78,20 @@ def levers_damping(J: Array, pull: Vector, least: float, damping: Array) -> None
 
 
 @kernel_into
-def pose_task(
-    arm: Array, at: At, poses: Array, axes: Array, T_world_target: Array, ahead: Array, dt: float, task: Task
-) -> None:
+def pose_task(placed: PlacedArm, T_world_target: Array, ahead: Array, dt: float, task: Task) -> None:
     """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, scaled down to the largest speeds of the tool.
 
     The damping uses only the displacement towards the nearest point that the planes allow: a displacement into a plane
     is stopped by the plane itself.
 
-    Args: arm: packed; poses and axes of `packed.place_links`; T_world_target (4, 4), m; ahead (3,): velocity of the
-    target point, m/s; dt, s. Writes J (6, n), v (6,), weights (6,), damping (n,), m².
+    Args: T_world_target (4, 4), m; ahead (3,): velocity of the target point, m/s; dt, s. Writes J (6, n), v (6,),
+    weights (6,), damping (n,), m².
     Source: Cerbaro 2022, §4.4.2 (CLIK).
     """
-    J, v, weights, damping = task
+    (arm, at, _, poses, _), (J, v, weights, damping) = placed, task
     T, last = tool_rows(arm[TOOL]), poses[at.m]
     x, y, z = rotated_row(last, 0, T), rotated_row(last, 1, T), rotated_row(last, 2, T)
-    jacobian_into(arm, at, poses, axes, x[3], y[3], z[3], J)
+    jacobian_into(placed, (x[3], y[3], z[3]), J)
     reach, turning, share = arm[SETTING, REACH], arm[SETTING, ORIENTATION], 1.0 - np.exp(-GAIN * dt)
     fastest = TOOL_SPEED * reach * dt
     there = (T_world_target[0, 3], T_world_target[1, 3], T_world_target[2, 3])
@@ -108,16 +117,14 @@ def rotated_row(pose: Array, a: int, tool: tuple[Row, Row, Row]) -> Row:
 
 
 @kernel_into
-def jacobian_into(arm: Array, at: At, poses: Array, axes: Array, x: float, y: float, z: float, J: Array) -> None:
+def jacobian_into(placed: PlacedArm, point: Vector, J: Array) -> None:
     """Write the geometric Jacobian of a point of the last link, m, world, into J (6, n)."""
+    arm, at, _, poses, axes = placed
     J[:] = 0.0
     for i in range(at.m):
         joint = FIRST + i
-        column, turns, v = (
-            int(arm[joint, DRIVER]),
-            arm[joint, ANGLE_RATIO],
-            point_displacement(arm, i, poses, axes, x, y, z),
-        )
+        column, turns = int(arm[joint, DRIVER]), arm[joint, ANGLE_RATIO]
+        v = point_displacement(arm, i, poses, axes, point)
         for a in range(3):
             J[a, column] += v[a]
             J[3 + a, column] += turns * axes[i, a]
@@ -145,7 +152,7 @@ def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
             normals[p, a] = arm[at.planes + p, a]
         bounds[0, p], bounds[1, p] = arm[at.planes + p, OFFSET] + arm[SETTING, CRITICAL], np.inf
     wished[0], wished[1], wished[2] = point
-    found, _, verdict = project_into_limits(normals, bounds[0], bounds[1], wished)
+    (found, _), verdict = project_into_limits(Constraints(normals, bounds[0], bounds[1]), wished)
     return (found[0], found[1], found[2]) if verdict == SOLVED else point
 
 

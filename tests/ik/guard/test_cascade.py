@@ -10,15 +10,16 @@ from numpy.linalg import norm
 from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, qp
 from helicoide.ik.guard.cascade import DEPENDENT, null_space
+from helicoide.ik.guard.qp import Constraints
 
 seeds = st.integers(0, 2**32 - 1)
 Task = tuple[Array, Array, Array, Array]
 
 
-def descend(task: Task, begins: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
+def descend(task: Task, begins: Array, constraints: Constraints) -> tuple[Array, Array, int]:
     """What `cascade.solve_cascade` writes: x and the multipliers; and its verdict."""
-    x, multipliers = np.empty(task[0].shape[1]), np.empty((len(begins) + 1, len(lower)))
-    verdict = cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers)
+    x, multipliers = np.empty(task[0].shape[1]), np.empty((len(begins) + 1, len(constraints.lower)))
+    verdict = cascade.solve_cascade(task, begins, constraints, x, multipliers)
     return x, multipliers, verdict
 
 
@@ -37,8 +38,8 @@ def first_rows(task: Task, r: int) -> Task:
     return J[:r], v[:r], weights[:r], damping
 
 
-def box(n: int, size: float) -> tuple[Array, Array, Array]:
-    return np.eye(n), np.full(n, -size), np.full(n, size)
+def box(n: int, size: float) -> Constraints:
+    return Constraints(np.eye(n), np.full(n, -size), np.full(n, size))
 
 
 def missed(task: Task, rows: slice, x: Array) -> float:
@@ -65,9 +66,9 @@ def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: flo
     """The first two of three levels are served as well as when they are alone, and the rows are kept."""
     task, begins = levels(seed, n, (2, 2, 3))
     rows = box(n, size)
-    x, multipliers, verdict = descend(task, begins, *rows)
-    alone, _, _ = descend(first_rows(task, 2), begins[:0], *rows)
-    two, _, _ = descend(first_rows(task, 4), begins[:1], *rows)
+    x, multipliers, verdict = descend(task, begins, rows)
+    alone, _, _ = descend(first_rows(task, 2), begins[:0], rows)
+    two, _, _ = descend(first_rows(task, 4), begins[:1], rows)
     assert verdict == qp.SOLVED
     J, v, weights, damping = task
     felt = norm(weights[:, None] * J, 2)
@@ -86,7 +87,7 @@ def test_without_bounds_the_levels_are_successive_pseudoinverses(seed: int, n: i
     """x = J₁† v₁ + (J₂ N₁)† (v₂ − J₂ J₁† v₁), N₁ = I − J₁† J₁ (Nakamura, Hanafusa and Yoshikawa 1987)."""
     rng, damping = np.random.default_rng(seed), 1e-8
     J, v = rng.normal(size=(4, n)), rng.normal(size=4)
-    x, _, _ = descend((J, v, np.ones(4), np.full(n, damping)), np.array([2]), *box(n, 1e6))
+    x, _, _ = descend((J, v, np.ones(4), np.full(n, damping)), np.array([2]), box(n, 1e6))
     first = np.linalg.pinv(J[:2])
     second = np.linalg.pinv(J[2:] @ (np.eye(n) - first @ J[:2]))
     x_1 = first @ v[:2]
@@ -102,9 +103,9 @@ def test_without_bounds_the_levels_are_successive_pseudoinverses(seed: int, n: i
 def test_one_level_is_the_programme_itself() -> None:
     task, _ = levels(3, 5, (3, 3))
     J, v, weights, damping = task
-    x, multipliers, _ = descend(task, np.zeros(0, dtype=np.int64), *box(5, 0.3))
+    x, multipliers, _ = descend(task, np.zeros(0, dtype=np.int64), box(5, 0.3))
     H, g = J.T @ (weights[:, None] ** 2 * J) + np.diag(damping), J.T @ (weights**2 * v)
-    expected, of_rows, _ = qp.solve_qp(H, g, *box(5, 0.3))
+    (expected, of_rows), _ = qp.solve_qp(H, g, box(5, 0.3))
     np.testing.assert_allclose(x, expected, atol=1e-12)
     np.testing.assert_allclose(multipliers[0], of_rows, atol=1e-12)
     assert np.abs(of_rows).max() > 0

@@ -16,7 +16,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import closest_shares, gap, place_bodies, witness_distance, witness_row
-from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, array_parts, place_links
+from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, PlacedArm, array_parts, place_links
 from helicoide.ik.guard.rows import DAMPER_GAIN, FAR, add_point, damper, unmoved_rows
 from helicoide.ik.packing import packed
 
@@ -58,12 +58,14 @@ def test_no_points_of_two_pieces_are_nearer(seed: int) -> None:
     assert distance(ends, found) ** 2 <= searched.fun + 1e-9
 
 
-def standing(table: Array, q: Array) -> tuple[Array, Array]:
-    """Link poses and axes of a packed arm in a posture."""
-    m = array_parts(table).m
-    poses, axes = np.empty((m + 1, 4, 4)), np.empty((m, 4))
-    place_links(table, m, q, poses, axes)
-    return poses, axes
+def standing(table: Array, q: Array) -> tuple[PlacedArm, Array]:
+    """A packed arm in a posture, and its points in the world."""
+    at = array_parts(table)
+    placed = PlacedArm(table, at, q, np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4)))
+    place_links(placed)
+    points = np.empty((at.planes - at.points, 4))
+    place_bodies(placed, points)
+    return placed, points
 
 
 @settings(max_examples=30)
@@ -71,24 +73,19 @@ def standing(table: Array, q: Array) -> tuple[Array, Array]:
 def test_a_row_is_the_derivative_of_the_distance_of_its_witnesses(seed: int, name: str) -> None:
     problem = scene(name, seed % 7, planes=0)
     rng, table = np.random.default_rng(seed), packed(problem)
-    q, at = rng.uniform(problem.limits.lower, problem.limits.upper), array_parts(table)
+    q = rng.uniform(problem.limits.lower, problem.limits.upper)
     which = int(rng.integers(len(problem.pairs)))
-    pair = at.pairs + which
-
-    def here(q: Array) -> tuple[Array, Array, Array]:
-        poses, axes = standing(table, q)
-        points = np.empty((at.planes - at.points, 4))
-        place_bodies(table, at, poses, points)
-        return poses, axes, points
-
-    poses, axes, points = here(q)
-    _, s, t = gap(table, pair, points)
-    rows = np.empty((2, len(q)))
-    there = witness_row(rows, 1, table, at, pair, points, s, t, poses, axes)
+    pair = array_parts(table).pairs + which
+    placed, points = standing(table, q)
+    _, witnesses = gap(table, pair, points)
+    row = np.empty(len(q))
+    there = witness_row(row, placed, points, witnesses)
     assert there == pytest.approx(left(problem, q)[which], abs=1e-12)
     if there + table[pair, LEAST] > 1e-2:
-        by_differences = derivative(lambda q: np.array(witness_distance(table, pair, here(q)[2], s, t)[0]), q, 1e-4)
-        np.testing.assert_allclose(rows[1], by_differences, rtol=0, atol=1e-6)
+        by_differences = derivative(
+            lambda q: np.array(witness_distance(table, standing(table, q)[1], witnesses)[0]), q, 1e-4
+        )
+        np.testing.assert_allclose(row, by_differences, rtol=0, atol=1e-6)
 
 
 def test_a_gap_is_what_is_left_between_surfaces() -> None:
@@ -154,15 +151,13 @@ def test_what_is_not_watched_could_not_have_held_a_tick(
     table[-6:, :3], table[-6:, LINK] = rng.normal(size=(6, 3)) * 0.2 * robot.reach, links
     table[SETTING, [POINTS, GUARDED]] = 6
     at = array_parts(table)
-    poses, axes = standing(table, rng.uniform(robot.lower, robot.upper))
-    points = np.empty((6, 4))
-    place_bodies(table, at, poses, points)
-    unmoved_rows(table, at, poses, points, dt, np.empty((at.m + 1, 4)))
+    placed, points = standing(table, rng.uniform(robot.lower, robot.upper))
+    unmoved_rows(placed, points, dt, np.empty((at.m + 1, 4)))
     for k, link in enumerate(links):
         normal = rng.normal(size=3)
         normal /= np.linalg.norm(normal)
         row = np.zeros((1, at.n))
-        add_point(row, 0, tuple(normal), tuple(points[k, :3]), 0, int(link), table, poses, axes)
+        add_point(row[0], tuple(normal), tuple(points[k, :3]), 0, int(link), placed)
         fastest = float(np.abs(row[0]) @ robot.speed * dt)
         far = points[k, FAR]
         assert -damper(far, row, 0, table, at, dt) >= fastest * (1 - 1e-9)

@@ -12,6 +12,7 @@ from scipy.optimize import minimize
 
 from helicoide.arrays import Array
 from helicoide.ik.guard import qp
+from helicoide.ik.guard.qp import Constraints
 
 seeds = st.integers(0, 2**32 - 1)
 Program = tuple[Array, Array, Array, Array]
@@ -33,7 +34,8 @@ def feasible(seed: int, n: int, m: int) -> Program:
 def solved(program: Program) -> tuple[Array, Array, int]:
     """With A x ≥ b as the lower bound alone."""
     H, g, A, b = program
-    return qp.solve_qp(H, g, A, b, np.full(len(b), np.inf))
+    (x, multipliers), verdict = qp.solve_qp(H, g, Constraints(A, b, np.full(len(b), np.inf)))
+    return x, multipliers, verdict
 
 
 def cost(program: Program, x: Array) -> float:
@@ -102,7 +104,8 @@ def test_without_rows_that_hold_it_is_the_free_minimum() -> None:
 
 def test_a_corner_of_a_box() -> None:
     """By hand: the point of the unit square nearest to (3, 0.5) is (1, 0.5), pushed back from above with 2."""
-    x, multipliers, verdict = qp.solve_qp(np.eye(2), np.array([3.0, 0.5]), np.eye(2), np.zeros(2), np.ones(2))
+    square = Constraints(np.eye(2), np.zeros(2), np.ones(2))
+    (x, multipliers), verdict = qp.solve_qp(np.eye(2), np.array([3.0, 0.5]), square)
     assert verdict == qp.SOLVED
     np.testing.assert_allclose(x, [1, 0.5])
     np.testing.assert_allclose(multipliers, [-2, 0])
@@ -117,7 +120,7 @@ def test_an_upper_bound_is_a_lower_bound_of_the_row_turned_round(seed: int, n: i
     upper = lower + rng.random(m) * rng.choice([0.1, 3.0]) + 2 * np.abs(A).sum(axis=1)
     if m and n > 1:
         upper[0] = lower[0] = float(A[0] @ np.linalg.lstsq(A, lower, rcond=None)[0])
-    x, multipliers, verdict = qp.solve_qp(H, g, A, lower, upper)
+    (x, multipliers), verdict = qp.solve_qp(H, g, Constraints(A, lower, upper))
     twice = np.vstack((A, -A)), np.concatenate((lower, -upper))
     expected, _, of_twice = solved((H, g, *twice))
     assert verdict == of_twice

@@ -12,6 +12,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.guard import qp
+from helicoide.ik.guard.qp import Constraints, QpSolution
 from helicoide.ik.guard.rows import Indices, Task
 from helicoide.kernels import kernel, kernel_into
 
@@ -110,8 +111,9 @@ def narrowed(task: Task, first: int, end: int, Z: Array) -> Array:
 
 
 @kernel
-def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tuple[Array, Array, Array]:
-    """lower ≤ [I; A] (x + Z u) ≤ upper as rows of u; rows that do not depend on u, up to rounding, are set to zero."""
+def reduced_rows(constraints: Constraints, Z: Array, x: Array) -> Constraints:
+    """The constraints of x + Z u as rows of u; rows that do not depend on u, up to rounding, are set to zero."""
+    A, lower, upper = constraints
     (n, free), bounds = Z.shape, lower.shape[0] - A.shape[0]
     rows, low, high = np.zeros((lower.shape[0], free)), np.empty(lower.shape[0]), np.empty(lower.shape[0])
     for i in range(lower.shape[0]):
@@ -125,14 +127,12 @@ def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tu
         if qp.inner_product(rows[i], rows[i]) < NEGLIGIBLE * NEGLIGIBLE * square:
             for j in range(free):
                 rows[i, j] = 0.0
-    return rows, low, high
+    return Constraints(rows, low, high)
 
 
 @kernel
-def within_rest(
-    task: Task, first: int, end: int, Z: Array, x: Array, A: Array, lower: Array, upper: Array
-) -> tuple[Array, Array]:
-    """The minimum of a level over x + Z u with lower ≤ [I; A] (x + Z u) ≤ upper: the new x and the multipliers.
+def within_rest(task: Task, first: int, end: int, Z: Array, x: Array, constraints: Constraints) -> QpSolution:
+    """The minimum of a level over x + Z u under constraints: the new x and the multipliers.
 
     Where rounding makes this infeasible, x is unchanged and the multipliers are zero.
     """
@@ -147,45 +147,44 @@ def within_rest(
             g_rest[j] += Z[i, j] * slope
             for k in range(free):
                 H_rest[j, k] += Z[i, j] * HZ[i, k]
-    rows, low, high = reduced_rows(A, lower, upper, Z, x)
-    u, multipliers, verdict = qp.solve_qp(H_rest, g_rest, rows, low, high)
+    (u, multipliers), verdict = qp.solve_qp(H_rest, g_rest, reduced_rows(constraints, Z, x))
     if verdict != qp.SOLVED:
-        return x, np.zeros(lower.shape[0])
+        return QpSolution(x, np.zeros(multipliers.shape[0]))
     moved = x.copy()
     for i in range(n):
         moved[i] += qp.inner_product(Z[i], u)
-    return moved, multipliers
+    return QpSolution(moved, multipliers)
 
 
 @kernel_into
-def first_level(
-    task: Task, end: int, A: Array, lower: Array, upper: Array, H: Array, x: Array, multipliers: Array, spare: Array
-) -> int:
-    """Write the least-squares displacement x of the rows of a task before `end`, with lower ≤ [I; A] x ≤ upper.
+def level_buffer_size(n: int) -> int:
+    """The size of the array `spare` of `first_level`."""
+    return n * (n + 1) + qp.buffer_size(n)
 
-    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); H (n + 1, n): temporary values. Other arguments and
-    result as in `qp.solve_into`.
+
+@kernel_into
+def first_level(task: Task, end: int, constraints: Constraints, solution: QpSolution, spare: Array) -> int:
+    """Write the least-squares displacement x of the rows of a task before `end`, under constraints.
+
+    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); spare (`level_buffer_size`,): temporary values. Returns
+    the verdict of `qp.solve_into`.
     """
-    n = x.shape[0]
-    normal_equations(task, 0, end, H[:n], H[n])
-    return qp.solve_into(H[:n], H[n], A, lower, upper, x, multipliers, spare)
+    n = solution.x.shape[0]
+    H, g = spare[: n * n].reshape(n, n), spare[n * n : n * (n + 1)]
+    normal_equations(task, 0, end, H, g)
+    return qp.solve_into(H, g, constraints, solution, spare[n * (n + 1) :])
 
 
 @kernel
-def solve_cascade(
-    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array
-) -> int:
-    """Write the displacement x that solves the levels one after another, with lower ≤ [I; A] x ≤ upper.
+def solve_cascade(task: Task, begins: Indices, constraints: Constraints, x: Array, multipliers: Array) -> int:
+    """Write the displacement x that solves the levels one after another, under constraints.
 
     Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty
-    for one level; A, lower, upper as in `qp.solve_into`. Writes x (n,) and the multipliers (levels, b + m); returns the
-    verdict on the first level.
+    for one level. Writes x (n,) and the multipliers (levels, b + m); returns the verdict on the first level.
     """
     (r, n), count = task[0].shape, begins.shape[0]
     end = begins[0] if count > 0 else r
-    verdict = first_level(
-        task, end, A, lower, upper, np.empty((n + 1, n)), x, multipliers[0], np.empty(qp.buffer_size(n))
-    )
+    verdict = first_level(task, end, constraints, QpSolution(x, multipliers[0]), np.empty(level_buffer_size(n)))
     for k in range(1, count + 1):
         multipliers[k] = 0.0
     if count > 0 and verdict == qp.SOLVED:
@@ -195,5 +194,5 @@ def solve_cascade(
             if Z.shape[1] == 0:
                 break
             first, end = end, begins[k] if k < count else r
-            x[:], multipliers[k] = within_rest(task, first, end, Z, x, A, lower, upper)
+            x[:], multipliers[k] = within_rest(task, first, end, Z, x, constraints)
     return verdict

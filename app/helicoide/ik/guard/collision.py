@@ -7,10 +7,23 @@ radii. The closest points of the two axes are the witnesses; with q the distance
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SETTING, At, array_parts, place_links
+from helicoide.ik.guard.packed import (
+    CRITICAL,
+    GUARDED,
+    LEAST,
+    LINK,
+    OFFSET,
+    SETTING,
+    At,
+    PlacedArm,
+    array_parts,
+    place_links,
+)
 from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unmoved_rows
 from helicoide.kernels import kernel, kernel_into
 
@@ -18,6 +31,26 @@ from helicoide.kernels import kernel, kernel_into
 # the arm, of a pair the parameters s and t of its witnesses.
 NUMBER, LEFT, POINT, PLANE, WATCHED = range(5)
 S, T = POINT, PLANE
+
+
+class Watched(NamedTuple):
+    """The clearances that are watched in a tick, as those that may limit it.
+
+    points (p, 4): the points of the arm, m, world, and `rows.FAR`; near (w, 4): the clearances before the step, and
+    after (w, 4): after a tried one, with the columns named above.
+    """
+
+    points: Array
+    near: Array
+    after: Array
+
+
+class Witnesses(NamedTuple):
+    """Two points on the axes of a pair of bodies: the row of the pair in the arm, and s and t of `closest_shares`."""
+
+    pair: int
+    s: float
+    t: float
 
 
 @kernel_into
@@ -57,8 +90,9 @@ def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, f
 
 
 @kernel_into
-def place_bodies(arm: Array, at: At, poses: Array, points: Array) -> None:
-    """Write the points of an arm, m, world, into points (p, 4); poses (m + 1, 4, 4) of `packed.place_links`."""
+def place_bodies(placed: PlacedArm, points: Array) -> None:
+    """Write the points of an arm, m, world, into points (p, 4)."""
+    arm, at, _, poses, _ = placed
     for j in range(points.shape[0]):
         x, y, z = at_row(arm, at.points + j)
         pose = poses[int(arm[at.points + j, LINK])]
@@ -78,24 +112,22 @@ def body_ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vec
 
 
 @kernel_into
-def witness_distance(arm: Array, pair: int, points: Array, s: float, t: float) -> tuple[float, Vector]:
-    """The distance of the points at s and t on the axes of a pair, m, and the vector from the second to the first.
-
-    Args: pair: a row of the arm; points (p, 4), m, world.
-    """
-    a, b, c, d = body_ends(arm, pair, points)
-    way = point_between(
-        point_between(a, point_between(b, a, -1.0), s), point_between(c, point_between(d, c, -1.0), t), -1.0
-    )
+def witness_distance(arm: Array, points: Array, witnesses: Witnesses) -> tuple[float, Vector]:
+    """The distance of two witnesses, m, and the vector from the second to the first; points (p, 4), m, world."""
+    a, b, c, d = body_ends(arm, witnesses.pair, points)
+    first = point_between(a, point_between(b, a, -1.0), witnesses.s)
+    second = point_between(c, point_between(d, c, -1.0), witnesses.t)
+    way = point_between(first, second, -1.0)
     return float(np.sqrt(inner(way, way))), way
 
 
 @kernel_into
-def gap(arm: Array, pair: int, points: Array) -> tuple[float, float, float]:
-    """The clearance of a pair, m, and s and t of its witnesses; arguments as in `witness_distance`."""
+def gap(arm: Array, pair: int, points: Array) -> tuple[float, Witnesses]:
+    """The clearance of a pair, a row of the arm, m, and its witnesses, the closest points; points (p, 4), m, world."""
     a, b, c, d = body_ends(arm, pair, points)
     s, t = closest_shares(a, b, c, d)
-    return witness_distance(arm, pair, points, s, t)[0] - arm[pair, LEAST], s, t
+    witnesses = Witnesses(pair, s, t)
+    return witness_distance(arm, points, witnesses)[0] - arm[pair, LEAST], witnesses
 
 
 @kernel_into
@@ -113,8 +145,9 @@ def clearances(arm: Array, q: Array) -> Array:
     """
     at = array_parts(arm)
     poses, axes, points = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 3)), np.empty((at.planes - at.points, 4))
-    place_links(arm, at.m, q, poses, axes)
-    place_bodies(arm, at, poses, points)
+    placed = PlacedArm(arm, at, q, poses, axes)
+    place_links(placed)
+    place_bodies(placed, points)
     every, number = np.empty(at.clearances), 0
     for point in range(int(arm[SETTING, GUARDED])):
         for plane in range(at.planes, at.pairs):
@@ -127,15 +160,16 @@ def clearances(arm: Array, q: Array) -> Array:
 
 
 @kernel_into
-def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Array, ways: Array) -> int:
+def watch(placed: PlacedArm, watched: Watched, dt: float, ways: Array) -> int:
     """Find the clearances that can limit this tick: those that are not beyond `rows.FAR`.
 
-    Writes them into near (total, 4), and the points, m, world, with `FAR` in the last column, into points (p, 4).
-    Returns their number. Args: ways (m + 1, 4): temporary values of `unmoved_rows`.
+    Writes the points and, into as many rows of `near` as there may be clearances, those found; returns their number.
+    Args: ways (m + 1, 4): temporary values of `unmoved_rows`.
     """
+    (arm, at, _, _, _), (points, near, _) = placed, watched
     number, count = 0, 0
-    place_bodies(arm, at, poses, points)
-    unmoved_rows(arm, at, poses, points, dt, ways)
+    place_bodies(placed, points)
+    unmoved_rows(placed, points, dt, ways)
     for point in range(int(arm[SETTING, GUARDED])):
         for plane in range(at.planes, at.pairs):
             room = height(arm, plane, points, point)
@@ -145,25 +179,28 @@ def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Arra
                 count += 1
             number += 1
     for pair in range(at.pairs, at.end):
-        room, s, t = gap(arm, pair, points)
+        room, nearest = gap(arm, pair, points)
         a, b, c, d = int(arm[pair, 0]), int(arm[pair, 1]), int(arm[pair, 2]), int(arm[pair, 3])
         if not room > max(points[a, FAR], points[b, FAR]) + max(points[c, FAR], points[d, FAR]):
-            near[count, NUMBER], near[count, LEFT], near[count, S], near[count, T] = number, room, s, t
+            near[count, NUMBER], near[count, LEFT] = number, room
+            near[count, S], near[count, T] = nearest.s, nearest.t
             count += 1
         number += 1
     return count
 
 
 @kernel_into
-def measure_clearances(arm: Array, at: At, poses: Array, points: Array, near: Array, after: Array) -> None:
-    """Write the watched clearances near (w, 4), measured at other poses, into after (w, 4); points (p, 4)."""
-    place_bodies(arm, at, poses, points)
+def measure_clearances(tried: PlacedArm, watched: Watched) -> None:
+    """Write the points and the watched clearances after a tried step."""
+    (arm, at, _, _, _), (points, near, after) = tried, watched
+    place_bodies(tried, points)
     for j in range(near.shape[0]):
         number = int(near[j, NUMBER])
         if number < at.by_planes:
             after[j, LEFT] = height(arm, int(near[j, PLANE]), points, int(near[j, POINT]))
         else:
-            after[j, LEFT], after[j, S], after[j, T] = gap(arm, at.pairs + number - at.by_planes, points)
+            after[j, LEFT], nearest = gap(arm, at.pairs + number - at.by_planes, points)
+            after[j, S], after[j, T] = nearest.s, nearest.t
 
 
 @kernel_into
@@ -176,28 +213,17 @@ def between_bodies(at: At, near: Array) -> int:
 
 
 @kernel_into
-def witness_row(
-    rows: Array,
-    which: int,
-    arm: Array,
-    at: At,
-    pair: int,
-    points: Array,
-    s: float,
-    t: float,
-    poses: Array,
-    axes: Array,
-) -> float:
-    """Write one of rows (r, n): the gradient in q of the distance of two witnesses of a pair. Returns the clearance, m.
+def witness_row(row: Array, placed: PlacedArm, points: Array, witnesses: Witnesses) -> float:
+    """Write a row (n,): the gradient in q of the distance of two witnesses of a pair. Returns the clearance, m.
 
     A joint before both bodies moves them together. One that moves both ends of a body moves its witness as a point of
     the link. One that moves only the end b moves the witness a + t (b − a) by t times the motion of b.
-    Args: pair: a row of the arm; points (p, 4), m, world; s, t: of the witnesses; poses and axes of
-    `packed.place_links`. The row is zero where the witnesses coincide.
+    Args: points (p, 4), m, world. The row is zero where the witnesses coincide.
     """
-    length, way = witness_distance(arm, pair, points, s, t)
+    (arm, at, _, _, _), (pair, s, t) = placed, witnesses
+    length, way = witness_distance(arm, points, witnesses)
     for i in range(at.n):
-        rows[which, i] = 0.0
+        row[i] = 0.0
     first = at.m
     for end in range(4):
         first = min(first, int(arm[at.points + int(arm[pair, end]), LINK]))
@@ -207,9 +233,9 @@ def witness_row(
         both, beyond = min(link_a, link_b), max(link_a, link_b)
         normal = point_between((0.0, 0.0, 0.0), way, (-1.0 if body else 1.0) / length)
         witness = point_between(at_row(points, a), point_between(at_row(points, b), at_row(points, a), -1.0), share)
-        add_point(rows, which, normal, witness, first, both, arm, poses, axes)
+        add_point(row, normal, witness, first, both, placed)
         if both < beyond:
             lever, tip = (share, b) if link_b > link_a else (1.0 - share, a)
             part = point_between((0.0, 0.0, 0.0), normal, lever)
-            add_point(rows, which, part, at_row(points, tip), both, beyond, arm, poses, axes)
+            add_point(row, part, at_row(points, tip), both, beyond, placed)
     return float(length - arm[pair, LEAST])

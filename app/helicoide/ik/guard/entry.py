@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.packed import CARRIER, DIRECTION, ENTRY, INSTRUMENT, SETTING, SHAFT
+from helicoide.ik.guard.packed import CARRIER, DIRECTION, ENTRY, INSTRUMENT, SETTING, SHAFT, PlacedArm
 from helicoide.ik.guard.rows import add_point, at_row
 from helicoide.kernels import kernel
 
@@ -70,13 +70,13 @@ def miss(arm: Array, poses: Array, pair: Array) -> Array:
 
 
 @kernel
-def entry_rows(arm: Array, n: int, poses: Array, axes: Array, dt: float) -> tuple[Array, Array, Array, Array]:
+def entry_rows(placed: PlacedArm, dt: float) -> tuple[Array, Array, Array, Array]:
     """The two rows (2, n) of the shaft, what they ask for (2,), m, their directions (2, 3), and the miss (2,), m."""
-    c, d = nearest_of_shaft(arm, poses)
-    pair, rows, asked = across(d), np.zeros((2, n)), np.empty(2)
+    c, d = nearest_of_shaft(placed.arm, placed.poses)
+    pair, rows, asked = across(d), np.zeros((2, placed.at.n)), np.empty(2)
     for i in range(2):
-        add_point(rows, i, at_row(pair, i), (c[0], c[1], c[2]), 0, int(arm[SETTING, CARRIER]), arm, poses, axes)
-    away = miss(arm, poses, pair)
+        add_point(rows[i], at_row(pair, i), (c[0], c[1], c[2]), 0, int(placed.arm[SETTING, CARRIER]), placed)
+    away = miss(placed.arm, placed.poses, pair)
     far = np.sqrt(away[0] ** 2 + away[1] ** 2)
     share = max(1.0 - np.exp(-GAIN * dt), AT_ONCE / max(far, AT_ONCE))
     for i in range(2):

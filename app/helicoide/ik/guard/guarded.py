@@ -22,8 +22,9 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, collision, qp
 from helicoide.ik.guard.clearance_rows import hard_rows, raise_bounds, shortfall
-from helicoide.ik.guard.collision import NUMBER
-from helicoide.ik.guard.packed import LOWER, SPEED, UPPER, At, place_links
+from helicoide.ik.guard.collision import NUMBER, Watched
+from helicoide.ik.guard.packed import LOWER, SPEED, UPPER, At, PlacedArm, place_links
+from helicoide.ik.guard.qp import Constraints, QpSolution
 from helicoide.ik.guard.rows import (
     BOX,
     BY_POSITION,
@@ -31,8 +32,9 @@ from helicoide.ik.guard.rows import (
     HARD_DOWN,
     HARD_UP,
     Indices,
+    MotionBox,
     Task,
-    motion_box,
+    bound_motion,
 )
 from helicoide.ik.guard.work import (
     BEFORE,
@@ -62,11 +64,12 @@ ONE_LEVEL = indices([])
 
 
 @kernel_into
-def within(arm: Array, at: At, q: Array, step: Array, share: float, dt: float, reached: Array) -> None:
+def within(placed: PlacedArm, step: Array, share: float, dt: float, reached: Array) -> None:
     """Write q plus a share of Δq, clipped exactly to the limits; for a joint outside, q replaces the limit.
 
     A displacement that is not finite counts as 0.
     """
+    arm, at, q, _, _ = placed
     for i in range(at.n):
         limit, way = at.limits + i, share * step[i] if np.isfinite(step[i]) else 0.0
         most = arm[limit, SPEED] * dt
@@ -76,41 +79,37 @@ def within(arm: Array, at: At, q: Array, step: Array, share: float, dt: float, r
 
 @kernel
 def relax_bounds(
-    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
-    multipliers: Array,
-) -> int:  # fmt: skip
+    task: Task, begins: Indices, constraints: Constraints, motion: MotionBox, x: Array, multipliers: Array
+) -> int:
     """`cascade.solve_cascade` once more after it was infeasible, with wider acceleration bounds.
 
-    They are widened to include the feasible point nearest to constant velocity, Δq = q̇ dt.
-    Args: lower, upper (m,): changed in place; box of `motion_box`.
+    They are widened to include the feasible point nearest to constant velocity, Δq = q̇ dt. The bounds of the
+    constraints are changed in place.
     """
+    (_, lower, upper), (box, rates, dt) = constraints, motion
     n = rates.shape[0]
     before, going_on = np.empty((2, n)), np.empty(n)
     for i in range(n):
         before[0, i], before[1, i], going_on[i] = lower[i], upper[i], rates[i] * dt
         lower[i], upper[i] = box[HARD_DOWN, i], box[HARD_UP, i]
-    nearest, _, verdict = qp.project_into_limits(A, lower, upper, going_on)
+    (nearest, _), verdict = qp.project_into_limits(constraints, going_on)
     if verdict != qp.SOLVED:
         x[:] = 0.0
         return verdict
     for i in range(n):
         lower[i] = max(box[HARD_DOWN, i], min(before[0, i], nearest[i] - ROUNDING))
         upper[i] = min(box[HARD_UP, i], max(before[1, i], nearest[i] + ROUNDING))
-    if cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers) != qp.SOLVED:
+    if cascade.solve_cascade(task, begins, constraints, x, multipliers) != qp.SOLVED:
         x[:] = nearest
     return qp.SOLVED
 
 
 @kernel_into
-def attribute_multipliers(
-    at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, attributed: Array
-) -> None:
-    """Write the multiplier of each constraint into `attributed`, as in `work.Work.multipliers`.
+def attribute_multipliers(at: At, multipliers: Array, own: int, box: Array, near: Array, attributed: Array) -> None:
+    """Write the multiplier of each constraint but the entry point into `attributed`, as in `work.Work.multipliers`.
 
-    Last is `pull`, that of the entry point.
-
-    Args: multipliers (levels, n + w + b), read from level `own` on, 1 if there is an entry point, else 0; box of
-    `motion_box`; near (w, 4) of `collision.watch`.
+    Args: multipliers (levels, n + w + b), read from level `own` on, 1 if there is an entry point, else 0; box: bounds
+    of the `MotionBox`; near (w, 4) of `collision.Watched`.
     """
     n, w = at.n, near.shape[0]
     spare = multipliers.shape[1] - n - w
@@ -125,7 +124,6 @@ def attribute_multipliers(
             attributed[2 * n + int(near[j, NUMBER])] += multipliers[k, n + j]
         for j in range(spare):
             attributed[2 * n + int(near[w - spare + j, NUMBER])] += multipliers[k, n + w + j]
-    attributed[-1] = pull
 
 
 @kernel_into
@@ -138,144 +136,121 @@ def pulled(task: Task) -> float:
 
 
 @kernel_into
-def prepare_step(arm: Array, at: At, q: Array, dt: float, buffers: StepBuffers) -> tuple[int, int]:
-    """Write all bounds of a step from q into a work space, which has the link poses at q.
+def prepare_step(placed: PlacedArm, motion: MotionBox, buffers: StepBuffers) -> tuple[int, int]:
+    """Write all bounds of a step into a work space.
 
     Returns the number of watched clearances, and the number of rows besides the joint bounds.
     """
-    poses, spots, box = buffers.frames[0], buffers.points, buffers.table[:BOX]
+    at, spots = placed.at, buffers.points
     a, b, c, d = parts_of_points(at)
-    axes, points, near, rest = spots[: at.m], spots[a:b], spots[b:c], spots[d:]
-    w = collision.watch(arm, at, poses, points, dt, near, rest) if at.clearances > 0 else 0
-    near = near[:w]
-    rows = w + collision.between_bodies(at, near)
-    lower, upper = buffers.bounds[0, : at.n + rows], buffers.bounds[1, : at.n + rows]
+    every, rest = Watched(spots[a:b], spots[b:c], spots[c:d]), spots[d:]
+    w = collision.watch(placed, every, motion.dt, rest) if at.clearances > 0 else 0
+    watched = Watched(every.points, every.near[:w], every.after[:w])
+    rows = w + collision.between_bodies(at, watched.near)
     A = buffers.table[ROWS : ROWS + rows]
     for j in range(w, rows):
         for i in range(at.n):
             A[j, i] = 0.0
-    motion_box(arm, at, q, buffers.rates, dt, box)
-    hard_rows(arm, at, poses, axes, near, points, box, dt, A, lower, upper, rest)
+    bound_motion(placed, motion)
+    constraints = Constraints(A, buffers.bounds[0, : at.n + rows], buffers.bounds[1, : at.n + rows])
+    hard_rows(placed, watched, motion, constraints, rest)
     return w, rows
 
 
 @kernel_into
-def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, buffers: StepBuffers) -> bool:
-    """Compute the posture after a share of a step; returns whether no clearance is violated there."""
-    reached, spots = buffers.table[REACHED], buffers.points
-    within(arm, at, q, x, share, dt, reached)
-    place_links(arm, at.m, reached, buffers.frames[1], spots[at.m : 2 * at.m])
-    a, b, c, _ = parts_of_points(at)
-    near, after = spots[b : b + w], spots[c : c + w]
-    if w > 0:
-        collision.measure_clearances(arm, at, buffers.frames[1], spots[a:b], near, after)
-    return shortfall(near, after) <= 0.0
+def try_step(placed: PlacedArm, tried: PlacedArm, watched: Watched, step: Array, share: float, dt: float) -> bool:
+    """Place the arm after a share of a step Δq (n,), into `tried`; returns whether no clearance is violated there."""
+    within(placed, step, share, dt, tried.q)
+    place_links(tried)
+    if watched.near.shape[0] > 0:
+        collision.measure_clearances(tried, watched)
+    return shortfall(watched.near, watched.after) <= 0.0
 
 
 @kernel_into
-def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, buffers: StepBuffers) -> None:
-    """Raise the bounds of the clearances that the tried step x violates, by `raise_bounds`."""
-    a, b, c, _ = parts_of_points(at)
-    poses, spots, points = buffers.frames[0], buffers.points, buffers.points[a:b]
-    near, after = spots[b : b + w], spots[c : c + w]
-    A, lower = buffers.table[ROWS : ROWS + rows], buffers.bounds[0, : at.n + rows]
-    collision.place_bodies(arm, at, poses, points)
-    raise_bounds(arm, at, A, lower, x, near, after, points, poses, spots[: at.m])
-
-
-@kernel_into
-def accept_step(at: At, q: Array, share: float, dt: float, buffers: StepBuffers) -> None:
-    """Take the tried step, or none if the share is 0: update q, the joint velocities, the link poses and the axes."""
-    table, frames, axes = buffers.table, buffers.frames, buffers.points
+def accept_step(placed: PlacedArm, tried: PlacedArm, share: float, dt: float, buffers: StepBuffers) -> None:
+    """Take the tried step, or none if the share is 0: update the posture and the joint velocities."""
+    at, q, stood = placed.at, placed.q, buffers.table[STOOD]
     buffers.report[SHARE] = share
     for i in range(at.n):
-        now = table[REACHED, i] if share > 0.0 else q[i]
-        buffers.rates[i], q[i], table[STOOD, i] = (now - q[i]) / dt, now, now
+        now = tried.q[i] if share > 0.0 else q[i]
+        buffers.rates[i], q[i], stood[i] = (now - q[i]) / dt, now, now
     for i in range(at.m + 1 if share > 0.0 else 0):
         for a in range(3):
             for b in range(4):
-                frames[0, i, a, b] = frames[1, i, a, b]
+                placed.poses[i, a, b] = tried.poses[i, a, b]
     for i in range(at.m if share > 0.0 else 0):
         for a in range(3):
-            axes[i, a] = axes[at.m + i, a]
+            placed.axes[i, a] = tried.axes[i, a]
 
 
 @kernel_into
-def update_poses(arm: Array, at: At, q: Array, buffers: StepBuffers) -> None:
-    """Write the link poses at q (n,), unless those of the last step are for the same q."""
+def placed_at(arm: Array, at: At, q: Array, buffers: StepBuffers) -> PlacedArm:
+    """The arm at q (n,), rad or m; its links are placed unless the last step left them at the same q."""
+    placed = PlacedArm(arm, at, q, buffers.frames[0], buffers.points[: at.m])
     stood = True
     for i in range(at.n):
         stood = stood and buffers.table[STOOD, i] == q[i]
     if not stood:
-        place_links(arm, at.m, q, buffers.frames[0], buffers.points[: at.m])
+        place_links(placed)
+    return placed
 
 
 @kernel_into
-def solve_one(
-    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
-    multipliers: Array, spare: Array,
-) -> bool:  # fmt: skip
+def solve_one(task: Task, constraints: Constraints, motion: MotionBox, solution: QpSolution, spare: Array) -> bool:
     """`cascade.first_level` for all rows of a task; where it is infeasible, the acceleration bounds are widened."""
-    verdict = cascade.first_level(task, task[1].shape[0], A, lower, upper, H, x, multipliers, spare)
+    verdict = cascade.first_level(task, task[1].shape[0], constraints, solution, spare)
     if verdict != qp.SOLVED:
-        verdict = relax_and_solve(task, A, lower, upper, box, rates, dt, x, multipliers)
+        verdict = relax_and_solve(task, constraints, motion, solution)
     return verdict == qp.SOLVED
 
 
 @kernel
-def relax_and_solve(
-    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array, multipliers: Array
-) -> int:
+def relax_and_solve(task: Task, constraints: Constraints, motion: MotionBox, solution: QpSolution) -> int:
     """`relax_bounds` for a task of one level."""
-    begins, one = np.empty(0, dtype=np.int64), multipliers.reshape(1, multipliers.shape[0])
-    return relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, one)
+    begins, one = np.empty(0, dtype=np.int64), solution.multipliers.reshape(1, solution.multipliers.shape[0])
+    return relax_bounds(task, begins, constraints, motion, solution.x, one)
 
 
 @kernel_into
 def solve_again(
-    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
-    multipliers: Array, before: Array, multipliers_before: Array, spare: Array,
-) -> bool:  # fmt: skip
-    """`solve_one` once more; without a solution, x and the multipliers are restored."""
-    qp.copy_into(x, before)
-    qp.copy_into(multipliers, multipliers_before)
-    is_solved = solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
+    task: Task, constraints: Constraints, motion: MotionBox, solution: QpSolution, before: QpSolution, spare: Array
+) -> bool:
+    """`solve_one` once more; without a solution, the one before is restored. Args: before: temporary values."""
+    qp.copy_into(solution.x, before.x)
+    qp.copy_into(solution.multipliers, before.multipliers)
+    is_solved = solve_one(task, constraints, motion, solution, spare)
     if not is_solved:
-        qp.copy_into(before, x)
-        qp.copy_into(multipliers_before, multipliers)
+        qp.copy_into(before.x, solution.x)
+        qp.copy_into(before.multipliers, solution.multipliers)
     return is_solved
 
 
 @kernel_into
-def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, buffers: StepBuffers) -> None:
-    """One guarded tick from q for a task of one level; q and the work space are changed in place.
+def guarded_tick(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffers) -> None:
+    """One guarded tick for a task of one level; the posture and the work space are changed in place.
 
-    Args: q (n,), rad or m; task: J (r, n), v (r,) the displacement asked for, weights (r,), damping d (n,); dt, s;
-    room: after `update_poses` at q, with the joint velocities of the tick before.
+    Args: placed of `placed_at`; task: J (r, n), v (r,) the displacement asked for, weights (r,), damping d (n,); dt, s;
+    buffers: with the joint velocities of the tick before.
     """
-    n, table, rates, spare = at.n, buffers.table, buffers.rates, buffers.spare
-    w, rows = prepare_step(arm, at, q, dt, buffers)
-    lower, upper, multipliers = (
-        buffers.bounds[0, : n + rows],
-        buffers.bounds[1, : n + rows],
-        buffers.bounds[2, : n + rows],
-    )
-    A, H, x, box = table[ROWS : ROWS + rows], table[table.shape[0] - n - 1 :], table[SOLUTION], table[:BOX]
+    at, table, bounds, spots = placed.at, buffers.table, buffers.bounds, buffers.points
+    motion = MotionBox(table[:BOX], buffers.rates, dt)
+    tried = PlacedArm(placed.arm, at, table[REACHED], buffers.frames[1], spots[at.m : 2 * at.m])
+    w, rows = prepare_step(placed, motion, buffers)
+    k, (a, b, c, _) = at.n + rows, parts_of_points(at)
+    watched = Watched(spots[a:b], spots[b : b + w], spots[c : c + w])
+    constraints = Constraints(table[ROWS : ROWS + rows], bounds[0, :k], bounds[1, :k])
+    solution, before = QpSolution(table[SOLUTION], bounds[2, :k]), QpSolution(table[BEFORE], bounds[3, :k])
     buffers.report[PULL] = pulled(task)
-    solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
+    solve_one(task, constraints, motion, solution, buffers.spare)
     share, is_new = 1.0, True
-    while share > SMALLEST_SHARE and not try_step(arm, at, q, x, share, dt, w, buffers):
+    while share > SMALLEST_SHARE and not try_step(placed, tried, watched, solution.x, share, dt):
         if is_new:
-            add_contact_rows(arm, at, x, w, rows, buffers)
-            before, multipliers_before = table[BEFORE], buffers.bounds[3, : n + rows]
-            if not solve_again(
-                task, A, lower, upper, box, rates, dt, H, x, multipliers, before, multipliers_before, spare
-            ):
+            raise_bounds(placed, watched, constraints, solution.x)
+            if not solve_again(task, constraints, motion, solution, before, buffers.spare):
                 share *= 0.5
             is_new = False
         else:
             share *= 0.5
-    first = parts_of_points(at)[1]
-    near = buffers.points[first : first + w]
-    attribute_multipliers(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, buffers.multipliers)
-    accept_step(at, q, share if share > SMALLEST_SHARE else 0.0, dt, buffers)
+    attribute_multipliers(at, solution.multipliers.reshape(1, k), 0, motion.bounds, watched.near, buffers.multipliers)
+    accept_step(placed, tried, share if share > SMALLEST_SHARE else 0.0, dt, buffers)

@@ -10,20 +10,22 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, qp
+from helicoide.ik.guard.clearance_rows import raise_bounds
+from helicoide.ik.guard.collision import Watched
 from helicoide.ik.guard.entry import FIRM, entry_rows, miss
 from helicoide.ik.guard.guarded import (
     SMALLEST_SHARE,
     accept_step,
-    add_contact_rows,
     attribute_multipliers,
     prepare_step,
     pulled,
     relax_bounds,
     try_step,
 )
-from helicoide.ik.guard.packed import CARRIER, SETTING, At
-from helicoide.ik.guard.rows import BOX, Indices, Task
-from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, StepBuffers, parts_of_points
+from helicoide.ik.guard.packed import CARRIER, SETTING, PlacedArm
+from helicoide.ik.guard.qp import Constraints
+from helicoide.ik.guard.rows import BOX, Indices, MotionBox, Task
+from helicoide.ik.guard.work import PULL, REACHED, ROWS, SOLUTION, StepBuffers, parts_of_points
 from helicoide.kernels import kernel
 
 # The tolerance of this correction, m; how often it is tried before the task is halved, and how often it is halved.
@@ -89,38 +91,40 @@ def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: 
 
 @kernel
 def solve_levels(
-    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
-    multipliers: Array,
-) -> int:  # fmt: skip
+    task: Task, begins: Indices, constraints: Constraints, motion: MotionBox, x: Array, multipliers: Array
+) -> int:
     """`cascade.solve_cascade`; where it is infeasible, the acceleration bounds are widened by `relax_bounds`."""
-    verdict = cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers)
+    verdict = cascade.solve_cascade(task, begins, constraints, x, multipliers)
     if verdict != qp.SOLVED:
-        verdict = relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
+        verdict = relax_bounds(task, begins, constraints, motion, x, multipliers)
     return verdict
 
 
 @kernel
-def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, buffers: StepBuffers) -> None:
+def tick_in_levels(placed: PlacedArm, task: Task, begins: Indices, dt: float, buffers: StepBuffers) -> None:
     """`guarded.guarded_tick` for a task of several levels, or for an arm with an instrument in an entry point.
 
     Args: begins: the rows at which further levels begin. Other arguments as there.
     """
-    n, rates, box, through = at.n, buffers.rates, buffers.table[:BOX], arm[SETTING, CARRIER] > 0.0
-    poses, axes, x = buffers.frames[0], buffers.points[: at.m], buffers.table[SOLUTION]
-    w, rows = prepare_step(arm, at, q, dt, buffers)
-    lower, upper, A = buffers.bounds[0, : n + rows], buffers.bounds[1, : n + rows], buffers.table[ROWS : ROWS + rows]
+    arm, at, table, bounds, spots = placed.arm, placed.at, buffers.table, buffers.bounds, buffers.points
+    through, x, motion = arm[SETTING, CARRIER] > 0.0, table[SOLUTION], MotionBox(table[:BOX], buffers.rates, dt)
+    tried = PlacedArm(arm, at, table[REACHED], buffers.frames[1], spots[at.m : 2 * at.m])
+    w, rows = prepare_step(placed, motion, buffers)
+    k, (a, b, c, _) = at.n + rows, parts_of_points(at)
+    watched = Watched(spots[a:b], spots[b : b + w], spots[c : c + w])
+    constraints = Constraints(table[ROWS : ROWS + rows], bounds[0, :k], bounds[1, :k])
     buffers.report[PULL] = pulled(task)
-    levels, asked, pair, away = begins, rates, box, rates
+    levels, asked, pair, away = begins, motion.rates, motion.bounds, motion.rates
     if through:
-        shaft, asked, pair, away = entry_rows(arm, n, poses, axes, dt)
+        shaft, asked, pair, away = entry_rows(placed, dt)
         task, levels = with_entry(task, begins, shaft, asked)
-    multipliers = np.empty((levels.shape[0] + 1, n + rows))
-    solve_levels(task, levels, A, lower, upper, box, rates, dt, x, multipliers)
+    multipliers = np.empty((levels.shape[0] + 1, k))
+    solve_levels(task, levels, constraints, motion, x, multipliers)
     share, tries, halvings, done = 1.0, 0, 0, False
     while share > SMALLEST_SHARE:
-        clear, straight = try_step(arm, at, q, x, share, dt, w, buffers), True
+        clear, straight = try_step(placed, tried, watched, x, share, dt), True
         if through and share == 1.0:
-            straight = linearise_entry(task, x, asked, away, miss(arm, buffers.frames[1], pair))
+            straight = linearise_entry(task, x, asked, away, miss(arm, tried.poses, pair))
         if clear and not straight and tries == TRIES and halvings < HALVINGS:
             tries, halvings = 0, halvings + 1
             for i in range(task[1].shape[0]):
@@ -131,14 +135,13 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
         if tries < (TRIES if through else 1):
             tries += 1
             if not clear:
-                add_contact_rows(arm, at, x, w, rows, buffers)
-            again, multipliers_again = np.empty(n), np.empty((levels.shape[0] + 1, n + rows))
-            if solve_levels(task, levels, A, lower, upper, box, rates, dt, again, multipliers_again) == qp.SOLVED:
+                raise_bounds(placed, watched, constraints, x)
+            again, multipliers_again = np.empty(at.n), np.empty((levels.shape[0] + 1, k))
+            if solve_levels(task, levels, constraints, motion, again, multipliers_again) == qp.SOLVED:
                 x[:], multipliers[:] = again, multipliers_again
                 continue
         share *= 0.5
-    pull = entry_pull(task, levels, A, x, multipliers) if through and done else 0.0
-    first = parts_of_points(at)[1]
-    near = buffers.points[first : first + w]
-    attribute_multipliers(at, multipliers, 1 if through else 0, box, near, pull, buffers.multipliers)
-    accept_step(at, q, share if done else 0.0, dt, buffers)
+    attribute_multipliers(at, multipliers, 1 if through else 0, motion.bounds, watched.near, buffers.multipliers)
+    if through and done:
+        buffers.multipliers[-1] = entry_pull(task, levels, constraints.A, x, multipliers)
+    accept_step(placed, tried, share if done else 0.0, dt, buffers)

@@ -69,6 +69,20 @@ class At(NamedTuple):
     clearances: int
 
 
+class PlacedArm(NamedTuple):
+    """A packed arm in a posture.
+
+    arm: the table; at: its parts; q (n,), rad or m; poses (m + 1, 4, 4), m, of the links and axes (m, 3) of the joints,
+    world, of `place_links`.
+    """
+
+    arm: Array
+    at: At
+    q: Array
+    poses: Array
+    axes: Array
+
+
 @kernel_into
 def array_parts(arm: Array) -> At:
     """The parts of a packed arm: their sizes and first rows."""
@@ -82,14 +96,12 @@ def array_parts(arm: Array) -> At:
 
 
 @kernel_into
-def place_links(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None:
-    """Write the link poses and the axes of m joints, as `forward.link_poses` and `jacobian.joint_axes`.
-
-    Args: q (n,), rad or m; poses (m + 1, 4, 4), m; axes (m, 3).
-    """
+def place_links(placed: PlacedArm) -> None:
+    """Write the link poses and the joint axes of an arm at its q, as `forward.link_poses` and `jacobian.joint_axes`."""
+    arm, at, q, poses, axes = placed
     x, y, z = X, Y, Z
     write_pose(poses[0], x, y, z)
-    for i in range(m):
+    for i in range(at.m):
         joint = FIRST + i
         axis = (arm[joint, AXIS], arm[joint, AXIS + 1], arm[joint, AXIS + 2])
         way = (arm[joint, AXIS_OFFSET], arm[joint, AXIS_OFFSET + 1], arm[joint, AXIS_OFFSET + 2])

@@ -10,6 +10,8 @@ the active rows are orthonormalised (Gram-Schmidt), once more from a dropped row
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from helicoide.arrays import Array
@@ -17,6 +19,43 @@ from helicoide.kernels import kernel, kernel_into
 
 SOLVED, INFEASIBLE = 0, 1
 ROUNDING = 1e-12
+
+
+class Constraints(NamedTuple):
+    """lower ≤ [I; A] x ≤ upper.
+
+    A (m, n); lower, upper (b + m,), infinite where there is no bound: the first b are bounds of x itself, b = n or 0.
+    Rows of zeros are skipped.
+    """
+
+    A: Array
+    lower: Array
+    upper: Array
+
+
+class QpSolution(NamedTuple):
+    """A minimum and its multipliers.
+
+    x (n,); multipliers: μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative where an upper
+    one does.
+    """
+
+    x: Array
+    multipliers: Array
+
+
+class ActiveRows(NamedTuple):
+    """The active rows c = side L⁻¹ a and their orthonormalised form, Cᵀ = Qᵀ R; the row that enters comes after them.
+
+    C (n + 1, n); Q (n, n), rows orthonormal; R (n + 1, n + 1) upper triangular; force (n + 1,): their multipliers;
+    numbers (n + 1,): theirs in [I; A].
+    """
+
+    C: Array
+    Q: Array
+    R: Array
+    force: Array
+    numbers: Array
 
 
 @kernel_into
@@ -81,13 +120,13 @@ def rounding(L: Array, y: Array, x: Array) -> float:
 
 
 @kernel_into
-def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, excess: float) -> tuple[int, int]:
+def most_violated(constraints: Constraints, x: Array, sides: Array, excess: float) -> tuple[int, int]:
     """The most violated inactive row and its side; row −1 where none is violated by more than `excess`.
 
     The violation is divided by the norm of the row. The side is 1 where aᵢ·x is below its lower bound, −1 where it is
-    above its upper one.
-    Args: A (m, n); lower, upper (b + m,), the first b of x itself; sides (b + m,), other than 0 for active rows.
+    above its upper one. Args: sides (b + m,), other than 0 for active rows.
     """
+    A, lower, upper = constraints
     n, bounds = x.shape[0], lower.shape[0] - A.shape[0]
     worst, side = -1, 0
     for i in range(lower.shape[0]):
@@ -154,10 +193,14 @@ def append(Q: Array, R: Array, count: int, z: Array) -> None:
 
 
 @kernel_into
-def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, count: int, z: Array, r: Array) -> None:
-    """Remove row `out` of the `count` active rows; those after it, and the entering one, move up by one place."""
+def drop(active: ActiveRows, out: int, count: int, z: Array, r: Array) -> None:
+    """Remove row `out` of the `count` active rows; those after it, and the entering one, move up by one place.
+
+    Args: z, r: temporary values of `split`.
+    """
+    C, Q, R, force, numbers = active
     for j in range(out, count):
-        active[j], force[j] = active[j + 1], force[j + 1]
+        numbers[j], force[j] = numbers[j + 1], force[j + 1]
         for k in range(C.shape[1]):
             C[j, k] = C[j + 1, k]
         if j < count - 1:
@@ -172,27 +215,27 @@ def buffer_size(n: int) -> int:
 
 
 @kernel_into
-def active_set(
-    L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Array, multipliers: Array, spare: Array
-) -> int:
-    """Move y to the nearest point with lower ≤ [I; A] x ≤ upper, x = L⁻ᵀ y, and write the multipliers, zero before.
+def active_set(L: Array, y: Array, constraints: Constraints, solution: QpSolution, spare: Array) -> int:
+    """Move y to the nearest point where x = L⁻ᵀ y keeps the constraints, and write the multipliers, zero before.
 
-    During the iteration `multipliers` has the sides of the active rows, c = side L⁻¹ a, and `force` their multipliers.
-    Args: spare (`room`,): temporary values. Returns SOLVED or INFEASIBLE.
+    During the iteration `multipliers` has the sides of the active rows, and `ActiveRows.force` their multipliers.
+    Args: spare (`buffer_size`,): temporary values. Returns SOLVED or INFEASIBLE.
     """
+    (A, lower, upper), (x, multipliers) = constraints, solution
     n, bounds, count = L.shape[0], lower.shape[0] - A.shape[0], 0
-    p, side = most_violated(A, lower, upper, x, multipliers, ROUNDING)
+    p, side = most_violated(constraints, x, multipliers, ROUNDING)
     if p < 0:
         return SOLVED
     excess = rounding(L, y, x)
     a, b = (n + 1) * n, (2 * n + 1) * n
     c = b + (n + 1) * (n + 1)
     C, Q, R = spare[:a].reshape(n + 1, n), spare[a:b].reshape(n, n), spare[b:c].reshape(n + 1, n + 1)
-    z, r, force, active = spare[c : c + n], spare[c + n :], spare[c + 2 * n :], spare[c + 3 * n + 1 :]
+    z, r, force, numbers = spare[c : c + n], spare[c + n :], spare[c + 2 * n :], spare[c + 3 * n + 1 :]
+    active = ActiveRows(C, Q, R, force, numbers)
     for _ in range(10 * (lower.shape[0] + n)):
         transform(L, A, p - bounds, side, C[count])
         bound = lower[p] if side > 0 else -upper[p]
-        multipliers[p], active[count], force[count] = side, p, 0.0
+        multipliers[p], numbers[count], force[count] = side, p, 0.0
         while True:
             entering = C[count]
             curvature = split(entering, Q, R, count, z, r)
@@ -212,51 +255,45 @@ def active_set(
             force[count] += t
             if full <= step:
                 break
-            multipliers[int(active[out])] = 0.0
-            drop(C, Q, R, force, active, out, count, z, r)
+            multipliers[int(numbers[out])] = 0.0
+            drop(active, out, count, z, r)
             count -= 1
         append(Q, R, count, z)
         count += 1
         back_substitution(L, y, x)
         excess = max(excess, rounding(L, y, x))
-        p, side = most_violated(A, lower, upper, x, multipliers, excess)
+        p, side = most_violated(constraints, x, multipliers, excess)
         if p < 0:
             for j in range(count):
-                multipliers[int(active[j])] *= force[j]
+                multipliers[int(numbers[j])] *= force[j]
             return SOLVED
     return INFEASIBLE
 
 
 @kernel
-def project_into_limits(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
-    """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve_qp`."""
-    y, nearest, multipliers = x.copy(), x.copy(), np.zeros(lower.shape[0])
-    spare = np.empty(buffer_size(x.shape[0]))
-    verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers, spare)
-    return nearest, multipliers, verdict
+def project_into_limits(constraints: Constraints, x: Array) -> tuple[QpSolution, int]:
+    """The point nearest to x (n,) that keeps the constraints, its multipliers, and the verdict."""
+    y, spare = x.copy(), np.empty(buffer_size(x.shape[0]))
+    solution = QpSolution(x.copy(), np.zeros(constraints.lower.shape[0]))
+    return solution, active_set(np.eye(x.shape[0]), y, constraints, solution, spare)
 
 
 @kernel_into
-def solve_into(
-    H: Array, g: Array, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array, spare: Array
-) -> int:
-    """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper.
+def solve_into(H: Array, g: Array, constraints: Constraints, solution: QpSolution, spare: Array) -> int:
+    """Write the solution of: minimise ½ xᵀ H x − gᵀ x under constraints. Returns SOLVED or INFEASIBLE.
 
-    Args: H (n, n) positive definite, of which the lower half is read, and g (n,): both are overwritten; A (m, n);
-    lower, upper (b + m,), infinite where there is no bound: the first b are bounds of x itself, b = n or 0; spare
-    (`room`,): temporary values. Rows of zeros are skipped.
-    Writes x (n,) and the multipliers μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative
-    where an upper one does; returns SOLVED or INFEASIBLE.
+    Args: H (n, n) positive definite, of which the lower half is read, and g (n,): both are overwritten; spare
+    (`buffer_size`,): temporary values.
     """
-    multipliers[:] = 0.0
+    solution.multipliers[:] = 0.0
     cholesky(H)
     forward_substitution(H, g)
-    back_substitution(H, g, x)
-    return active_set(H, g, x, A, lower, upper, multipliers, spare)
+    back_substitution(H, g, solution.x)
+    return active_set(H, g, constraints, solution, spare)
 
 
 @kernel
-def solve_qp(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """`solve_into` with new arrays and H and g unchanged: x, the multipliers and the verdict."""
-    x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(buffer_size(g.shape[0]))
-    return x, multipliers, solve_into(H.copy(), g.copy(), A, lower, upper, x, multipliers, spare)
+def solve_qp(H: Array, g: Array, constraints: Constraints) -> tuple[QpSolution, int]:
+    """`solve_into` with new arrays and H and g unchanged: the solution and the verdict."""
+    solution = QpSolution(np.empty(g.shape[0]), np.empty(constraints.lower.shape[0]))
+    return solution, solve_into(H.copy(), g.copy(), constraints, solution, np.empty(buffer_size(g.shape[0])))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +17,7 @@ from helicoide.ik.guard.packed import (
     SETTING,
     SPEED,
     At,
+    PlacedArm,
 )
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.tool_kernels import ANGLE_RATIO, DRIVER, SLIDE_RATIO
@@ -28,10 +31,21 @@ DAMPER_GAIN = 10.0
 # The fraction of the joints' deceleration that the damper of one point uses; the rest is for other points.
 BRAKING = 0.5
 BY_POSITION, BY_SPEED, BY_ACCELERATION = 0, 1, 2
-# Rows of `motion_box`: the bounds of Δq, those by position and speed alone, and the kind of limit that sets each bound.
+# Rows of `MotionBox.bounds`: the bounds of Δq, those by position and speed alone, and the kind of limit that sets each.
 DOWN, UP, HARD_DOWN, HARD_UP, DOWN_BY, UP_BY, BOX = range(7)
 # Column of the points (p, 4), after their position: the clearance beyond which no bound limits the tick, m.
 FAR = 3
+
+
+class MotionBox(NamedTuple):
+    """How far each joint may move in one tick.
+
+    bounds (6, n), rad or m, with the rows named above; rates (n,): q̇ of the tick before, per s; dt: of the tick, s.
+    """
+
+    bounds: Array
+    rates: Array
+    dt: float
 
 
 @kernel_into
@@ -45,13 +59,13 @@ def braking(distance: float, deceleration: float, dt: float) -> float:
 
 
 @kernel_into
-def motion_box(arm: Array, at: At, q: Array, rates: Array, dt: float, box: Array) -> None:
-    """Write how far each joint may move in a tick, and which limit sets each bound.
+def bound_motion(placed: PlacedArm, motion: MotionBox) -> None:
+    """Write how far each joint may move in a tick from the posture, and which limit sets each bound.
 
     Position and speed come first, then `braking`, so that the joint can stop before its limit. The result is narrowed
     to |v − q̇| ≤ a dt. A joint beyond its limit may stay or come back, but not go further.
-    Args: q (n,), rad or m; rates (n,), q̇ of the tick before, per s; dt, s; box (6, n), with the rows named above.
     """
+    (arm, at, q, _, _), (box, rates, dt) = placed, motion
     for i in range(at.n):
         limit = at.limits + i
         reach, a = arm[limit, SPEED] * dt, arm[limit, ACCELERATION]
@@ -80,13 +94,13 @@ def at_row(points: Array, which: int) -> Vector:
 
 
 @kernel_into
-def point_displacement(arm: Array, i: int, poses: Array, axes: Array, x: float, y: float, z: float) -> Vector:
+def point_displacement(arm: Array, i: int, poses: Array, axes: Array, point: Vector) -> Vector:
     """Velocity of a point that joint i moves, for q̇ = 1 of its variable: a sᵢ × (p − pᵢ), or a sᵢ if prismatic.
 
     a is the ratio of the joint to its variable.
-    Args: x, y, z: the point, m, world; poses (m + 1, 4, 4) and axes (m, 3) of `packed.place_links`.
+    Args: poses and axes of `PlacedArm`, which as a whole would cost more to pass than this; point: p, m, world.
     """
-    joint = FIRST + i
+    joint, (x, y, z) = FIRST + i, point
     turn, slide = arm[joint, ANGLE_RATIO], arm[joint, SLIDE_RATIO]
     sx, sy, sz = axes[i, 0], axes[i, 1], axes[i, 2]
     rx, ry, rz = x - poses[i + 1, 0, 3], y - poses[i + 1, 1, 3], z - poses[i + 1, 2, 3]
@@ -98,16 +112,15 @@ def point_displacement(arm: Array, i: int, poses: Array, axes: Array, x: float, 
 
 
 @kernel_into
-def add_point(
-    rows: Array, which: int, normal: Vector, point: Vector, first: int, link: int, arm: Array, poses: Array, axes: Array
-) -> None:
-    """Add nᵀ J_p of a point of a link to one of rows (r, n), for the joints from number `first` on, counted from 0.
+def add_point(row: Array, normal: Vector, point: Vector, first: int, link: int, placed: PlacedArm) -> None:
+    """Add nᵀ J_p of a point of a link to a row (n,), for the joints from number `first` on, counted from 0.
 
-    Args: normal: n, of any length, and point, m, world; poses and axes of `packed.place_links`.
+    Args: normal: n, of any length, and point, m, world.
     """
+    arm, _, _, poses, axes = placed
     for i in range(first, link):
-        x, y, z = point_displacement(arm, i, poses, axes, point[0], point[1], point[2])
-        rows[which, int(arm[FIRST + i, DRIVER])] += normal[0] * x + normal[1] * y + normal[2] * z
+        x, y, z = point_displacement(arm, i, poses, axes, point)
+        row[int(arm[FIRST + i, DRIVER])] += normal[0] * x + normal[1] * y + normal[2] * z
 
 
 @kernel_into
@@ -118,7 +131,7 @@ def from_origin(poses: Array, link: int, x: float, y: float, z: float) -> float:
 
 
 @kernel_into
-def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, ways: Array) -> None:
+def unmoved_rows(placed: PlacedArm, points: Array, dt: float, ways: Array) -> None:
     """Write column `FAR` of points (p, 4): the clearance beyond which no bound on a point limits the tick, m.
 
     In one tick a point moves by at most s = Σ |Δqᵢ| times its distance from axis i, itself at most the distance along
@@ -126,6 +139,7 @@ def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, way
     inactive from l = s + s²/2D dt² on. As s ≤ Σ |rowᵢ| ωᵢ dt and D = ½ Σ |rowᵢ| aᵢ, this is at most
     s (1 + max ω / a dt). Args: ways (m + 1, 4): temporary values of each link.
     """
+    arm, at, _, poses, _ = placed
     turned, way = 0.0, 0.0
     beyond = 1.0 / min(1.0, arm[SETTING, GAIN] * dt)
     for i in range(at.n):

@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard import qp
+from helicoide.ik.guard.cascade import level_buffer_size
 from helicoide.ik.guard.collision import WATCHED
 from helicoide.ik.guard.packed import CRITICAL, SETTING, At, array_parts
 from helicoide.ik.guard.rows import BOX
 from helicoide.kernels import kernel_into, python_function
 
 SHARE, PULL, REPORT = 0, 1, 2
-# Rows of `StepBuffers.table`: the box of `motion_box`, then these, the other rows of J, the constraints, last H and g.
+# Rows of `StepBuffers.table`: the bounds of `rows.MotionBox`, then these, the other rows of J, and the constraints.
 SOLUTION, BEFORE, REACHED, STOOD, DAMPING, JACOBIAN = range(BOX, BOX + 6)
 ROWS = JACOBIAN + 6
 
@@ -24,10 +24,10 @@ ROWS = JACOBIAN + 6
 class StepBuffers(NamedTuple):
     """The parts of a work space.
 
-    report: share and pull as in `Work`; rates (n,) and held as in `Work`; task (2, 6): v and its weights; bounds
-    (4, n + r): lower, upper, multipliers, and a copy of the multipliers; spare: temporary values of `qp`; frames
-    (2, m + 1, 4, 4): link poses before and after the step; spots: rows of four numbers, axes, points and clearances
-    (see `parts_of_spots`); table: rows of n numbers.
+    report: share and pull as in `Work`; rates (n,) and multipliers as in `Work`; task (2, 6): v and its weights; bounds
+    (4, n + r): lower, upper, multipliers, and a copy of the multipliers; spare: temporary values of
+    `cascade.first_level`; frames (2, m + 1, 4, 4): link poses before and after the step; points: rows of four numbers,
+    axes, points and clearances (see `parts_of_points`); table: rows of n numbers.
     """
 
     report: Array
@@ -77,8 +77,8 @@ def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
     """The size of each part of a work space, in the order of `StepBuffers`."""
     m, n, rows, points = at.m, at.n, most_rows(at), at.planes - at.points
     spots = 2 * m + points + 2 * at.clearances + max(m + 1, n)
-    held, table = 6 * n + at.clearances + 1, ROWS + rows + n + 1
-    return REPORT, n, held, 12, 4 * (n + rows), qp.buffer_size(n), 32 * (m + 1), WATCHED * spots, n * table
+    held, spare = 6 * n + at.clearances + 1, level_buffer_size(n)
+    return REPORT, n, held, 12, 4 * (n + rows), spare, 32 * (m + 1), WATCHED * spots, n * (ROWS + rows)
 
 
 @kernel_into

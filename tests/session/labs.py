@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import faulthandler
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,11 +17,14 @@ from helicoide.state import State
 
 
 def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
-    """Whether a condition comes true, generously."""
+    """Whether a condition comes true, generously; if not, what every thread does is printed."""
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.01)
-    return condition()
+    if met := condition():
+        return met
+    faulthandler.dump_traceback(sys.__stderr__)
+    return False
 
 
 @contextmanager

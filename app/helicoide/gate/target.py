@@ -17,7 +17,11 @@ Phase = Literal["start", "update", "end"]
 
 
 def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """Drag the target to a position (3,), m, and a quaternion (4,). After the end it may move to the accepted goal."""
+    """Drag the target to a position (3,), m, and a quaternion (4,).
+
+    After the end of a drag under the guarded step the target moves to the accepted goal, if a search finds no better
+    posture.
+    """
 
     def change(state: State) -> State:
         T = pose(state, position, wxyz)

@@ -42,7 +42,7 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
 
 @kernel
 def step_in_levels(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffers) -> None:
-    """The step of an arm with an instrument in an entry point, or with orientation as a second level."""
+    """The step of an arm with an instrument in an entry point, or with orientation at a second level of priority."""
     arm = placed.arm
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
@@ -53,7 +53,7 @@ def step_in_levels(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffer
 
 @kernel
 def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float) -> Task:
-    """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m². Args as there."""
+    """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m². Args as in `step`."""
     at = array_parts(arm)
     placed = PlacedArm(arm, at, q, np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4)))
     place_links(placed)
@@ -66,11 +66,12 @@ def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float
 def step_task(
     arm: Array, q: Array, J: Array, v: Array, weights: Array, damping: Array, begins: Indices, dt: float, memory: Array
 ) -> float:
-    """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², one level after another.
+    """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², in levels of priority.
 
-    Args: J (r, n), v (r,), weights (r,), damping d (n,), one by one, as Python passes them faster than a tuple; begins:
+    Args: J (r, n), v (r,); weights (r,), the diagonal of W; damping d (n,), each in the unit of (W v)² / Δqᵢ²; begins:
     the rows at which further levels begin, empty for one level. Other arguments and result as in `step`.
     """
+    # Four arrays, not one tuple: Python passes them to a kernel faster.
     at = array_parts(arm)
     buffers = opened(memory, at)
     placed = placed_at(arm, at, q, buffers)

@@ -80,7 +80,7 @@ def parse_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS, mesh
 def undrawn_remark(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> Text | None:
     """A sentence on links that cannot be drawn, with the reasons; None if all can be drawn. Reads the meshes.
 
-    Raises as `read`.
+    Raises as `read_urdf`.
     """
     reading = read_urdf(path, parameters)
     missing = [*reading.not_drawn, *remove_unreadable_meshes(path, reading.robot)]

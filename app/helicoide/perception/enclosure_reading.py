@@ -48,7 +48,7 @@ def available_readings(robot: Robot) -> tuple[PlaneReading, ...]:
 
 
 def camera_cloud(camera: DepthCamera, state: State) -> PointCloud:
-    """The cloud that a camera sees in the posture of the state; a simulated one sees the planes of the robot's file."""
+    """The cloud of a camera in the posture of the state; a simulated camera measures the planes of the robot's file."""
     if isinstance(camera, SimulatedCamera):
         enclosure = replace(state.problem, planes=planes_of(state.robot.panes))
         state = replace(state, problem=enclosure)

@@ -38,7 +38,7 @@ ABOUT = Text(
 # The camera where the source has the T265, which tells how far it moved: 37.5 mm behind the tool, 62.5 mm above it.
 ON_BRACKET = replace(D435, T_tool_camera=hand_camera_pose(behind=0.0375, above=0.0625))
 CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
-# Angles to the reference normal, °, within which planes are sought; the chart of them shows how far 10° holds.
+# Largest angles to the reference normal, °, that are tried in the search; a chart shows how many planes each finds.
 TRIED = (2, 3, 4, 5, 6, 8, 10, 15, 20, 25)
 
 # Eqs. 27 to 30: three points, and the coefficients of e₁, e₂, e₃ and e of their plane.
@@ -72,7 +72,7 @@ class CloudReadings:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Clouds with as many seeds, from either place of the camera; short: fewer of them."""
+    """Measure each plane in `CLOUDS` simulated clouds from each place of the camera; short: in `CLOUDS_SHORT`."""
     clouds = CLOUDS_SHORT if short else CLOUDS
     jobs = [(camera, reading) for camera in (D435, ON_BRACKET) for reading in PLANE_READINGS]
     read = []
@@ -115,7 +115,10 @@ def tilt(normal: Array, other: Array) -> Array:
 
 
 def three_point_normals(points: Array, seed: int) -> Array:
-    """Normals of planes through three random points of a cloud, (n, 3), eqs. 25–26; those on a line are drawn again."""
+    """Normals, (n, 3), of planes through three random points of a cloud, eqs. 25–26; n ≤ `TRIPLES`.
+
+    Triples on a line, or with a repeated point, have no plane and are left out.
+    """
     triples = points[np.random.default_rng(seed).integers(len(points), size=(TRIPLES, 3))]
     planes = rigid.plane_through(*np.moveaxis(rigid.point(triples), 1, 0))
     return np.asarray(rigid.normal_and_offset(planes[planes.any(axis=1)])[0])

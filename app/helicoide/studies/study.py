@@ -136,7 +136,7 @@ class Row:
 
     @property
     def verdict(self) -> Verdict:
-        """How `ours` compares with what the source prints; NaN always differs."""
+        """How `computed` compares with what the source prints; NaN always differs."""
         if self.computed != self.computed:
             return Verdict.DIFFERS
         if self.given is not None:

@@ -46,7 +46,7 @@ class Work:
     """A work space, with the results of the last step.
 
     memory: the whole array, for the kernels; rates (n,): q̇ of the step, rad/s or m/s, read by the next one; poses
-    (m + 1, 4, 4), m, of the links after it; held: the multipliers of the constraints: 2 n position limits, clearances,
+    (m + 1, 4, 4), m, of the links after it; multipliers: those of the constraints: 2 n position limits, clearances,
     2 n speed limits, 2 n accelerations, the entry point.
     """
 
@@ -115,7 +115,7 @@ def work_for(arm: Array) -> Work:
 
 @lru_cache(maxsize=64)
 def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
-    """The initial memory for an arm with these counts, its parts, and where `held` and `frames` begin in the memory."""
+    """The initial memory for an arm with these counts, its parts, and where the multipliers and `frames` begin in the memory."""
     setting = np.zeros((1, CRITICAL))
     setting[SETTING] = counts
     at = python_function(array_parts)(setting)

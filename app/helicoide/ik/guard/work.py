@@ -115,7 +115,7 @@ def work_for(arm: Array) -> Work:
 
 @lru_cache(maxsize=64)
 def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
-    """The initial memory for an arm with these counts, its parts, and where the multipliers and `frames` begin in the memory."""
+    """The initial memory of an arm with these counts, its parts, and where multipliers and `frames` begin in it."""
     setting = np.zeros((1, CRITICAL))
     setting[SETTING] = counts
     at = python_function(array_parts)(setting)

@@ -23,7 +23,7 @@
 
   // Stop and the status line are placed beside a docked panel, and on a phone above the sheet.
   function place() {
-    const canvas = document.querySelector("canvas[data-engine]")?.getBoundingClientRect();
+    const canvas = document.querySelector("canvas:not(.uplot *)")?.getBoundingClientRect();
     if (!canvas) return;
     const sheet = document.querySelector('.mantine-Paper-root[style*="position: fixed"]')?.getBoundingClientRect();
     const style = document.documentElement.style;

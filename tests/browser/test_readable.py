@@ -55,6 +55,7 @@ def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
             tab(page, panel.TITLE[language])
             if findings := remaining(page, touch):
                 found[language, panel.TITLE[language]] = findings
+            until(page, lambda: page.evaluate(AT, [*pixels(page, lab.state.T_world_tool[:3, 3])]) == "CANVAS")
     assert not found
 
 

@@ -23,16 +23,15 @@ WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
 
 @cache
-def listed(beginning: str) -> tuple[frozenset[str], frozenset[str]]:
-    """What a paragraph of the glossary lists between its marks, before "No name is" and after."""
+def retired(beginning: str) -> tuple[frozenset[str], frozenset[str]]:
+    """What a paragraph of the glossary lists between its marks, before “No name is” and after."""
     (paragraph,) = (part for part in GLOSSARY.split("\n\n") if part.startswith(beginning))
     words, _, whole = paragraph.partition("No name is")
-    return tuple(frozenset(re.findall(r"`(\w+)`|\"([^\"]+)\"", part)) for part in (words, whole))  # type: ignore[return-value]
+    return _marked(words), _marked(whole)
 
 
-def retired(beginning: str) -> tuple[frozenset[str], frozenset[str]]:
-    words, whole = listed(beginning)
-    return frozenset(a or b for a, b in words), frozenset(a or b for a, b in whole)
+def _marked(text: str) -> frozenset[str]:
+    return frozenset(a or b for a, b in re.findall(r'`(\w+)`|"([^"]+)"', text))
 
 
 def defined(file: Path) -> Iterator[str]:

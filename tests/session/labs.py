@@ -21,8 +21,8 @@ def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.01)
-    if met := condition():
-        return met
+    if condition():
+        return True
     faulthandler.dump_traceback(sys.__stderr__)
     return False
 

@@ -60,6 +60,7 @@ def counted_rows(robot: Robot, with_orientation: bool = True) -> NDArray[np.bool
     rows = movable_rows(robot).copy()
     if not with_orientation or len(robot.variables) <= generic_rank(robot, 3):
         rows[3:] = False
+    rows.flags.writeable = False  # one array for all callers
     return rows
 
 

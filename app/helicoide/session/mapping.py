@@ -40,14 +40,14 @@ def counted(report: Report, plan: MapPlan) -> WorkspaceMap:
 class MapJob:
     """Computes the maps of one workcell. Use it only on the event loop.
 
-    state: returns the current state; post: takes an update of it; turns: limits the number of maps that the lab
+    state: returns the current state; post: takes an update of it; limit: of the number of maps that the lab
     computes at once.
     """
 
     def __init__(
         self, state: Callable[[], State], post: Callable[[Update], None], limit: asyncio.Semaphore | None = None
     ) -> None:
-        self.state, self.post, self.turns = state, post, limit or asyncio.Semaphore(1)
+        self.state, self.post, self.limit = state, post, limit or asyncio.Semaphore(1)
         self._job: ProcessJob | None = None
         self._task: asyncio.Task[None] | None = None
 
@@ -71,7 +71,7 @@ class MapJob:
         try:
             found = await asyncio.to_thread(chunks.cached_map, plan)
             if found is None:
-                async with self.turns:
+                async with self.limit:
                     found = await self._counted(robot, plan)
             if found is None and self._is_counting(robot):
                 log.error("the process that counts the map of %s was ended from outside", robot.name)

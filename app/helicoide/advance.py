@@ -177,11 +177,13 @@ def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> 
     problem, request, posture = state.problem, state.request, Posture(state.arm.q, state.arm.poses)
     drive, target = request.controller, ToolTarget(T_world_target, request.with_orientation, ahead)
     if problem.entry is not None:
-        wished, drive = rcm_step(problem, posture, target, drive, dt)
+        displacement, drive = rcm_step(problem, posture, target, drive, dt)
     else:
         task = drives.closed_loop_task(problem, posture, target, drive.gains, dt)
-        wished, drive = drives.step(problem, task, state.arm.poses, drive)
-    return _stepped(replace(state, request=replace(request, controller=drive)), drives.displacement_task(wished), dt)
+        displacement, drive = drives.step(problem, task, state.arm.poses, drive)
+    return _stepped(
+        replace(state, request=replace(request, controller=drive)), drives.displacement_task(displacement), dt
+    )
 
 
 def _along(state: State, command: FollowPath, dt: float) -> State:

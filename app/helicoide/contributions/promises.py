@@ -47,13 +47,15 @@ def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
     drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
         for _ in range(10):
-            wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, float(rng.choice(DTS)))
-            if drive.solution is None or not np.isfinite(wished).all():
+            displacement, drive = controller_step(
+                with_joints(state, q), T, with_orientation, drive, float(rng.choice(DTS))
+            )
+            if drive.solution is None or not np.isfinite(displacement).all():
                 return NOT_FINITE
             if untitled := set(drive.solution.figures) - set(named(name).FIGURES):
                 return NO_FIGURE.format(names=", ".join(sorted(untitled)))
-            most = max(most, float(np.abs(wished).max()))
-            q = frozen(np.clip(q + np.clip(wished, -0.2, 0.2), state.robot.lower, state.robot.upper))
+            most = max(most, float(np.abs(displacement).max()))
+            q = frozen(np.clip(q + np.clip(displacement, -0.2, 0.2), state.robot.lower, state.robot.upper))
     return None if most > 0 else NOTHING
 
 
@@ -64,10 +66,10 @@ def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
     for T in far_poses(state.robot, rng):
         for _ in range(40):
             dt = float(rng.choice(DTS))
-            wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, dt)
-            q = frozen(q + wished)
+            displacement, drive = controller_step(with_joints(state, q), T, with_orientation, drive, dt)
+            q = frozen(q + displacement)
             beyond = np.maximum(state.robot.lower - q, q - state.robot.upper).max()
-            if not max(beyond, (np.abs(wished) / dt - state.robot.speed).max()) <= ROUNDING:
+            if not max(beyond, (np.abs(displacement) / dt - state.robot.speed).max()) <= ROUNDING:
                 return broken(Promise.KEEPS_LIMITS, BEYOND)
     return None
 
@@ -79,8 +81,8 @@ def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
     T, drive = tool_at(state.robot, goal), Controller().with_method(name)
     way = missing(with_joints(state, q), T, with_orientation)
     for _ in range(200):
-        wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, 0.02)
-        q = frozen(q + wished)
+        displacement, drive = controller_step(with_joints(state, q), T, with_orientation, drive, 0.02)
+        q = frozen(q + displacement)
     left = missing(with_joints(state, q), T, with_orientation)
     return None if left < max(1e-3, 0.02 * way) else broken(Promise.CONVERGES, LEFT.format(left=left, way=way))
 
@@ -107,12 +109,12 @@ def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
         T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
         for _ in range(40):
             task = closed_loop_to(with_joints(state, q), T, with_orientation)
-            wished, drive = step(state.problem, task, state.arm.poses, drive)
+            displacement, drive = step(state.problem, task, state.arm.poses, drive)
             rates = np.inf if drive.solution is None else float(np.linalg.norm(drive.solution.rates))
             size = float(np.linalg.norm(task.rate))
             if not rates <= 100 * size + 1e-12:
                 return broken(Promise.BOUNDED, FAST.format(times=rates / max(size, 1e-12)))
-            q = frozen(q + wished)
+            q = frozen(q + displacement)
     return None
 
 
@@ -142,8 +144,8 @@ def moved_from_singular(name: str, robot: str) -> float:
     drive, q = Controller().with_method(name), start
     for _ in range(200):
         task = closed_loop_to(with_joints(state, q), state.T_world_tool, False)
-        wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
-        q = frozen(q + wished)
+        displacement, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
+        q = frozen(q + displacement)
     return float(np.abs(q - start).max())
 
 

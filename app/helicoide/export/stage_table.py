@@ -11,7 +11,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import euler
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, JointStage, StageKind, in_source_units
-from helicoide.text import LANGUAGES, Text
+from helicoide.text import LANGUAGES, Text, number_text, numbers_text
 
 HEADS: dict[StageKind, Text] = {
     "dh": Text(
@@ -136,8 +136,7 @@ def _named(stage: JointStage, decimals: int) -> Text:
 
 
 def _numbers(values: Array, decimals: int) -> Text:
-    said = [f"{value:.{decimals}f}" for value in _rounded(values, decimals)]
-    return Text(en=", ".join(said), pt_BR="; ".join(said).replace(".", ","))
+    return numbers_text(_rounded(values, decimals), f".{decimals}f")
 
 
 def _in_words(value: Array, decimals: int) -> Text:
@@ -147,8 +146,7 @@ def _in_words(value: Array, decimals: int) -> Text:
 
 
 def _cells(row: Array, decimals: int) -> tuple[Text, ...]:
-    said = (f"{value:.{decimals}f}" for value in _rounded(row, decimals))
-    return tuple(Text(en=number, pt_BR=number.replace(".", ",")) for number in said)
+    return tuple(number_text(value, f".{decimals}f") for value in _rounded(row, decimals))
 
 
 def _aligned(row: tuple[Text, ...], width: int) -> Text:

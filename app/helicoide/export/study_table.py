@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import floor, isfinite, log10
 
 from helicoide.studies.study import Fitted, Interpretation, Result, Row, Statement, Verdict
-from helicoide.text import Text, join_texts, untranslated
+from helicoide.text import Text, join_texts, untranslated, with_decimal_comma
 
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
@@ -43,8 +43,7 @@ def with_unit(shown: str, unit: str) -> str:
 
 def localized_number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> Text:
     """The same number in both languages."""
-    digits_and_unit = format_number(value, unit, tolerance, digits).replace("-", "−")
-    return Text(en=digits_and_unit, pt_BR=digits_and_unit.replace(".", ","))
+    return with_decimal_comma(format_number(value, unit, tolerance, digits).replace("-", "−"))
 
 
 def significant_digits(value: float, digits: int) -> str:

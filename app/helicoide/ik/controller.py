@@ -162,12 +162,12 @@ def with_secondary(problem: Problem, task: Task, poses: Array, controller: Contr
 def joint_displacement(problem: Problem, task: Task, controller: Controller) -> tuple[Array, Controller]:
     """Δq (n,), rad or m, of the last solution, and the controller; with Algorithm 1 where the objective `adapts`."""
     assert controller.solution is not None
-    wished = problem.joint_units * controller.solution.rates * task.dt
+    displacement = problem.joint_units * controller.solution.rates * task.dt
     second = controller.secondary
     if second is None or not second.adapts:
-        return wished, controller
-    weights = np.full(len(wished), second.weight) if second.weights is None else second.weights
-    q, weights = clipped(task.q + wished, problem.limits.lower, problem.limits.upper, weights)
+        return displacement, controller
+    weights = np.full(len(displacement), second.weight) if second.weights is None else second.weights
+    q, weights = clipped(task.q + displacement, problem.limits.lower, problem.limits.upper, weights)
     return q - task.q, replace(controller, secondary=replace(second, weights=weights))
 
 

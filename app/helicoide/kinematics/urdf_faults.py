@@ -9,7 +9,7 @@ import yourdfpy
 
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.robot import Robot
-from helicoide.text import Text, join_texts, untranslated
+from helicoide.text import Text, join_texts, untranslated, with_decimal_comma
 
 AGREE = 1e-9
 NO_JOINT = Text(
@@ -86,4 +86,4 @@ def _place(joint: Joint, urdf: yourdfpy.URDF) -> Iterator[Text]:
 def _listed(values: tuple[float | None, ...]) -> Text:
     """Numbers with the decimal sign of each language."""
     written = [f"{value:.6g}" if value is not None else "-" for value in values]
-    return join_texts([Text(en=number, pt_BR=number.replace(".", ",")) for number in written] or [untranslated("-")])
+    return join_texts([with_decimal_comma(number) for number in written] or [untranslated("-")])

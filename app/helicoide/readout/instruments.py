@@ -138,11 +138,11 @@ def _length(values: Array) -> float:
 def errors(state: State) -> tuple[float, float]:
     """Position error, m, and orientation error, rad, of the tool against its target; 0 if the command has no target."""
     T = state.T_world_tool
-    wished = target(state)
-    if wished is None:
+    T_target = target(state)
+    if T_target is None:
         return 0.0, 0.0
-    turn = rotation_error(wished[:3, :3].copy(), T[:3, :3].copy())
-    return _length(wished[:3, 3] - T[:3, 3]), _length(turn)
+    turn = rotation_error(T_target[:3, :3].copy(), T[:3, :3].copy())
+    return _length(T_target[:3, 3] - T[:3, 3]), _length(turn)
 
 
 def _errors(state: State) -> tuple[Instrument, ...]:

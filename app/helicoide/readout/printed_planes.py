@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_parts import PlanePane
-from helicoide.text import Text
+from helicoide.text import Text, number_text, numbers_text, with_decimal_comma
 
 LINE = Text(
     en="{name} ({title}): n = ({normal}), d = {offset} m; printed {printed}",
@@ -24,9 +24,6 @@ def printed_planes(robot: Robot) -> tuple[Text, ...]:
 
 
 def _line(pane: PlanePane) -> Text:
-    numbers = [f"{value:.4f}" for value in (*pane.normal, pane.offset)]
-    ours, local = numbers, [number.replace(".", ",") for number in numbers]
-    normal = Text(en=", ".join(ours[:3]), pt_BR="; ".join(local[:3]))
-    printed = Text(en=pane.as_printed, pt_BR=pane.as_printed.replace(".", ","))
-    offset = Text(en=ours[3], pt_BR=local[3])
+    normal, offset = numbers_text(pane.normal, ".4f"), number_text(pane.offset, ".4f")
+    printed = with_decimal_comma(pane.as_printed)
     return LINE.format(name=pane.name, title=pane.title, normal=normal, offset=offset, printed=printed)

@@ -40,11 +40,11 @@ class Arms:
 
     def play(self, motion: Motion) -> None:
         """Replay a motion on its own robot, which is loaded first if necessary."""
-        wish, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
+        update, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
         if self.workcell.state.robot.name == name and not lengths:
-            self.workcell.ask(wish)
+            self.workcell.ask(update)
         else:
-            self.change(name, lengths, wish)
+            self.change(name, lengths, update)
 
     def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
         """Load another robot into the workcell, and then apply an update to it.
@@ -70,11 +70,11 @@ class Arms:
     async def _work_out(self, way: Callable[[State], Update], unless: Callable[[State, Update], Update]) -> None:
         state = self.workcell.state
         try:
-            wish = await asyncio.to_thread(way, state)
+            update = await asyncio.to_thread(way, state)
         except Exception:
             log.exception("what was asked could not be worked out")
-            wish = gate.say(FAILED)
-        self.workcell.ask(unless(state, wish))
+            update = gate.say(FAILED)
+        self.workcell.ask(unless(state, update))
 
     async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
         """Load a robot. If that fails, say why and keep the old one."""

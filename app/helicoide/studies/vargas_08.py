@@ -13,10 +13,9 @@ from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
 from helicoide.studies.study import BY_CONSTRUCTION, Chart, ChartLine, Figure, Progress, Result, Row, Statement
-from helicoide.studies.vargas.runs import localized
 from helicoide.studies.vargas.scalar import scalar_filter_steps
 from helicoide.studies.vargas.table import SECONDS, Step, run_row, sentence_statement, study_result, subsampled
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, untranslated, with_decimal_comma
 
 TITLE = Text(en="Simulation 8: the inverse of one number", pt_BR="Simulação 8: a inversa de um número")
 SOURCE = "Vargas 2013, §4.1, sim. 8, fig. 4.3"
@@ -59,12 +58,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     frozen = sentence_statement("k = 0: θ(t) = θ(0)", "k = 0: θ(t) = θ(0)", "§4.1, fig. 4.3", 1.0)
     after_ten = Text(en="θ after 10 s", pt_BR="θ após 10 s")
     rows += [
-        run_row(after_ten, localized("k = 0"), float(thetas["k = 0"][-1]), "", frozen, given=BY_CONSTRUCTION),
+        run_row(after_ten, with_decimal_comma("k = 0"), float(thetas["k = 0"][-1]), "", frozen, given=BY_CONSTRUCTION),
         *(
-            run_row(after_ten, localized(name), float(thetas[name][-1]), "", Figure(FIGURE))
+            run_row(after_ten, with_decimal_comma(name), float(thetas[name][-1]), "", Figure(FIGURE))
             for name in ("k = 0.5", FADING)
         ),
-        run_row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), localized(FADING), float(long[-1])),
+        run_row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), with_decimal_comma(FADING), float(long[-1])),
     ]
     progress(1.0)
     errors = {name: np.array([k(now) for now in t.tolist()]) * thetas[name] - 1 for name, k in CASES.items()}
@@ -83,9 +82,11 @@ def _constant(name: str, k: float, beta: float) -> Row:
         taken += 1
     law = Statement(untranslated("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
     title = Text(en="time constant, in a thousand steps", pt_BR="constante de tempo, em mil passos")
-    return run_row(title, localized(name), 1e-3 * tau * taken, "s", law)
+    return run_row(title, with_decimal_comma(name), 1e-3 * tau * taken, "s", law)
 
 
 def _chart(title: Text, up: str, t: Array, values: dict[str, Array]) -> Chart:
-    lines = tuple(ChartLine(localized(name), subsampled(t), subsampled(value)) for name, value in values.items())
+    lines = tuple(
+        ChartLine(with_decimal_comma(name), subsampled(t), subsampled(value)) for name, value in values.items()
+    )
     return Chart(title, SECONDS, untranslated(up), lines, FIGURE)

@@ -11,7 +11,7 @@ from helicoide.ik.secondary import augmented
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.arms import planar_problem
 from helicoide.studies.vargas.paths import path_1, path_points
-from helicoide.studies.vargas.runs import MethodRun, largest_absolute, localized, run_each
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute, run_each
 from helicoide.studies.vargas.secondary import (
     FASTEST_LATER,
     SECONDS,
@@ -34,7 +34,7 @@ from helicoide.studies.vargas.table import (
     run_row,
     study_result,
 )
-from helicoide.text import Text
+from helicoide.text import Text, with_decimal_comma
 
 TITLE = Text(en="A slab that the end effector does not leave", pt_BR="Uma faixa de onde o efetuador não sai")
 SOURCE = "Vargas 2013, §4.7, eq. 4.73"
@@ -75,7 +75,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Without a barrier, and with three; for 17 s in a quick run. The source has no slab: all numbers are ours."""
     dt, seconds = (max(options.dt, 1e-2), 17.0) if short else (options.dt, SECONDS)
     runs = run_each({key: partial(slab_run, *key, options.gain, dt, seconds) for key in CASES}, progress)
-    names = {key: localized(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}
+    names = {key: with_decimal_comma(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}
     titled = {names[key]: one for key, one in runs.items()}
     kept, wished = runs[USUAL], path_points(path_1, runs[USUAL].t)[:, :2]
     farthest = Text(en="largest |y|", pt_BR="maior |y|")

@@ -72,9 +72,9 @@ class _IsolatedRow:
             return None
 
     def _ask(self, make: Callable[[], PageRequest | None]) -> None:
-        wish = self._try(make)
-        if wish is not None:
-            self._try(partial(self.act, wish))
+        request = self._try(make)
+        if request is not None:
+            self._try(partial(self.act, request))
 
     def refresh(self, view: View) -> None:
         if self.placed is not None:

@@ -26,14 +26,14 @@ def setting_rows(kind: type, length: float, options: Options, change: Change) ->
     """
     rows: list[Row] = []
     for name, setting in settings(kind).items():
-        value, wish = _value(options, name), _request(change, name)
+        value, request = _value(options, name), _request(change, name)
         match setting:
             case Quantity():
-                rows.append(_quantity(setting, length, value, wish))
+                rows.append(_quantity(setting, length, value, request))
             case OneOf(title, choices):
-                rows.append(Dropdown(title, list(choices.items()), value, wish))
+                rows.append(Dropdown(title, list(choices.items()), value, request))
             case YesNo(title):
-                rows.append(Checkbox(title, value, wish))
+                rows.append(Checkbox(title, value, request))
     return rows
 
 

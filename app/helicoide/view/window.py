@@ -168,7 +168,7 @@ class Window:
     async def _fill(self, view: View) -> None:
         robot = self.robot = view.state.robot
         self.view, self.written = view, None
-        self.placed, self.commands = [], [self._command(text, wish) for text, wish in palette(robot)]
+        self.placed, self.commands = [], [self._command(text, request) for text, request in palette(robot)]
         for tab, panel in zip(self.tabs, panels.all_panels(), strict=True):
             self.placed.append([])
             for row in panel.rows(robot):

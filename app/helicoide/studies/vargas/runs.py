@@ -20,7 +20,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.studies.study import Progress
 from helicoide.studies.vargas.paths import PathFunction
-from helicoide.text import Text
+from helicoide.text import Text, with_decimal_comma
 
 Key = TypeVar("Key")
 TimeMask = NDArray[np.bool_]
@@ -41,13 +41,8 @@ class MethodSettings:
 
 def method_settings(method: str, note: str = "", **options: Any) -> MethodSettings:
     """A method with options; its title ends with a note that distinguishes it, such as "γ = 25"."""
-    title, more = methods.named(method).TITLE, localized(note and f", {note}")
+    title, more = methods.named(method).TITLE, with_decimal_comma(note and f", {note}")
     return MethodSettings(Text(en=title.en + more.en, pt_BR=title.pt_BR + more.pt_BR), method, options)
-
-
-def localized(note: str) -> Text:
-    """A note such as "γ = 2.5" in both languages, with a decimal comma in Portuguese."""
-    return Text(en=note, pt_BR=note.replace(".", ","))
 
 
 @dataclass(frozen=True, eq=False)

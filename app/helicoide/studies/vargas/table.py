@@ -11,8 +11,8 @@ from helicoide.arrays import Array
 from helicoide.ik.method import Quantity
 from helicoide.studies.study import Chart, ChartLine, Figure, Motion, Relation, Result, Row, Statement
 from helicoide.studies.vargas.arms import LENGTHS
-from helicoide.studies.vargas.runs import MethodRun, MethodSettings, localized
-from helicoide.text import Text, untranslated
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings
+from helicoide.text import Text, untranslated, with_decimal_comma
 
 # γ counts in the unit of length of the arm, which has no name for the planar one (sources, Vargas 15).
 OF_THE_PLANAR = Text(
@@ -152,7 +152,7 @@ def runs_by_title(ways: Mapping[str, MethodSettings], runs: Mapping[str, MethodR
 
 def symbol_value(symbol: str, value: float) -> Text:
     """A symbol with its value, such as "α = 0.5"."""
-    return localized(f"{symbol} = {value:g}")
+    return with_decimal_comma(f"{symbol} = {value:g}")
 
 
 def subsampled(values: Array, most: int = 2000) -> Array:

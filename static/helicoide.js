@@ -183,6 +183,7 @@
     passOn({ type: "HelicoideFence", number: fence });
     fence = null;
     deaf = false;
+    window.dispatchEvent(new Event("helicoide-drives"));
   }
 
   function sendOfViser(message) {

@@ -1,4 +1,5 @@
-// The first steps, shown over the canvas until the user closes them. The browser stores that they were closed.
+// The first steps, shown over the canvas once the page may drive, until the user closes them. The browser stores that
+// they were closed.
 "use strict";
 
 (() => {
@@ -43,9 +44,10 @@
   close.addEventListener("click", remove);
   lesson.addEventListener("click", () => {
     window.helicoideShowTab?.(0);
+    window.__viserMutable.sendMessage({ type: "HelicoideFirstLesson" });
     remove();
   });
   new MutationObserver(draw).observe(document.documentElement, { attributeFilter: ["lang"] });
   draw();
-  document.body.append(hint);
+  window.addEventListener("helicoide-drives", () => document.body.append(hint), { once: true });
 })();

@@ -101,6 +101,7 @@ def test_a_first_visit_has_a_hint_that_stays_closed(lab: Lab, browser: Browser) 
         assert hint.locator("li").all_inner_texts() == [step.pt_BR for step in STEPS]
         hint.get_by_role("button", name="Primeira lição").click()
         expect(page.get_by_role("tab", name="Lição")).to_have_attribute("aria-selected", "true")
+        expect(page.locator(".helicoide-lesson h3")).to_contain_text("1.")
         expect(hint).to_have_count(0)
         page.reload()
         page.wait_for_selector("#helicoide-stop[data-link=up]")

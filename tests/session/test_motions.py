@@ -20,6 +20,7 @@ from helicoide.session.replaying import along_fastest
 from helicoide.session.workcell import Workcell
 from helicoide.state import State, Update, initial_state
 from helicoide.studies.study import Motion
+from helicoide.text import Text
 
 Meanwhile = Callable[[Workcell], object] | None
 
@@ -67,6 +68,32 @@ def test_a_motion_begins_when_it_is_worked_out(workcell: Workcell) -> None:
 @pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
 def test_a_stop_ends_a_motion_that_is_worked_out(workcell: Workcell, meanwhile: Meanwhile) -> None:
     assert worked_out(workcell, meanwhile).request.command == HoldPosition(stopped=True)
+
+
+def test_the_status_says_that_a_motion_is_worked_out(workcell: Workcell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(arms, "SOON", 0.0)
+    said = []
+
+    def look(workcell: Workcell) -> None:
+        workcell.drain()
+        said.append(workcell.state.notice)
+
+    assert worked_out(workcell, look).notice is None
+    assert said == [arms.COMPUTING]
+
+
+def test_a_refusal_is_what_the_status_says_in_the_end(workcell: Workcell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(arms, "SOON", 0.0)
+    why = Text(en="no", pt_BR="não")
+
+    async def run() -> None:
+        working = Arms(workcell)
+        working.find(lambda state: gate.say(why))
+        await asyncio.gather(*working._tasks)
+        workcell.drain()
+
+    asyncio.run(run())
+    assert workcell.state.notice == why
 
 
 @pytest.fixture

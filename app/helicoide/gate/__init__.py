@@ -18,6 +18,7 @@ from helicoide.gate.enclosure import (
     show_cloud,
     take_planes,
     take_planes_of,
+    unsay,
 )
 from helicoide.gate.entry import ENTRY, drag_entry, enforce_entry, set_entry
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
@@ -160,6 +161,7 @@ __all__ = [
     "tell_map",
     "weigh_joint",
     "weigh_objective",
+    "unsay",
     "while_asked",
     "while_there",
 ]

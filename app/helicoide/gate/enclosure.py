@@ -112,6 +112,11 @@ def say(words: Text) -> Update:
     return lambda state: replace(state, notice=words)
 
 
+def unsay(words: Text) -> Update:
+    """Take a sentence out of the status line, if it is still there."""
+    return lambda state: replace(state, notice=None) if state.notice is words else state
+
+
 def remove_plane(index: int) -> Update:
     """Remove a movable plane."""
 

@@ -6,7 +6,7 @@ import asyncio
 import logging
 from collections.abc import Callable, Coroutine
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 from helicoide import gate
 from helicoide.kinematics.library import load_robot
@@ -24,6 +24,10 @@ WRONG_FILES = Text(
     pt_BR="Os arquivos de {robot} têm erros: {fault}. A aba Robô lista todos.",
 )
 PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
+COMPUTING = Text(en="Computing…", pt_BR="Calculando…")
+LOADING = Text(en="Loading the arm…", pt_BR="Carregando o braço…")
+SOON = 0.2  # s: what takes less needs no words
+T = TypeVar("T")
 log = logging.getLogger("helicoide")
 
 
@@ -67,10 +71,22 @@ class Arms:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
+    async def _computed(self, words: Text, way: Callable[..., T], *args: object) -> T:
+        """The result of a function in a thread. The status line says `words` if it takes longer than `SOON`."""
+        task = asyncio.create_task(asyncio.to_thread(way, *args))
+        await asyncio.wait({task}, timeout=SOON)
+        if task.done():
+            return task.result()
+        self.workcell.tell(gate.say(words))
+        try:
+            return await task
+        finally:
+            self.workcell.tell(gate.unsay(words))
+
     async def _work_out(self, way: Callable[[State], Update], unless: Callable[[State, Update], Update]) -> None:
         state = self.workcell.state
         try:
-            update = await asyncio.to_thread(way, state)
+            update = await self._computed(COMPUTING, way, state)
         except Exception:
             log.exception("what was asked could not be worked out")
             update = gate.say(FAILED)
@@ -80,7 +96,7 @@ class Arms:
         """Load a robot. If that fails, say why and keep the old one."""
         before = self.workcell.state
         try:
-            robot = await asyncio.to_thread(_loaded, robot_name, lengths)
+            robot = await self._computed(LOADING, _loaded, robot_name, lengths)
         except Exception as error:
             if robot_name == self.wanted:
                 self.wanted = ""

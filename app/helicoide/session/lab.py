@@ -24,7 +24,8 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
-from helicoide.view.link import HelicoideFence, HelicoideMadeAt, connection_of
+from helicoide.view.link import HelicoideFirstLesson, PageMessage, connection_of
+from helicoide.view.panels.lesson import first_lesson
 from helicoide.view.rows import PageRequest, View
 from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
@@ -203,9 +204,12 @@ class Lab:
 
     # Messages from windows.
 
-    def _on_message(self, client_id: int, message: HelicoideFence | HelicoideMadeAt) -> None:
+    def _on_message(self, client_id: int, message: PageMessage) -> None:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
-        if line is not None and line.link.hear(message) and visitor is not None:
+        if isinstance(message, HelicoideFirstLesson):
+            if visitor is not None:
+                visitor.window.act(first_lesson())
+        elif line is not None and line.link.hear(message) and visitor is not None:
             visitor.window.restore()
             visitor.write()
 

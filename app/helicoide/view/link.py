@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from time import monotonic
+from typing import get_args
 
 import viser
 from viser._messages import Message
@@ -30,6 +31,14 @@ class HelicoideMadeAt(Message, include_in_scene_serialization=False):
     """The next message was made when this server's clock showed `at`, ms, or later."""
 
     at: float
+
+
+@dataclass
+class HelicoideFirstLesson(Message, include_in_scene_serialization=False):
+    """The user asks for the first lesson, which the hint of a first visit offers."""
+
+
+PageMessage = HelicoideFence | HelicoideMadeAt | HelicoideFirstLesson
 
 
 @dataclass
@@ -81,12 +90,12 @@ class Link:
         return False
 
 
-def connection_of(server: viser.ViserServer, hear: Callable[[int, HelicoideFence | HelicoideMadeAt], None]) -> None:
+def connection_of(server: viser.ViserServer, hear: Callable[[int, PageMessage], None]) -> None:
     """Call `hear` with the client number and each of these messages, in the order in which the client sends them."""
 
     def received(client_id: int, message: Message) -> None:
-        assert isinstance(message, HelicoideFence | HelicoideMadeAt)
+        assert isinstance(message, PageMessage)
         hear(client_id, message)
 
-    for kind in (HelicoideFence, HelicoideMadeAt):
+    for kind in get_args(PageMessage):
         server._websock_server.register_handler(kind, received)

@@ -52,6 +52,12 @@ def lessons() -> list[Lesson]:
     return [lesson for name in content.content_folders("lessons") if (lesson := _readable(name))]
 
 
+def first_lesson() -> ForSeat:
+    """The request that begins the first lesson, or leaves the seat as it is if there is none."""
+    first = next(iter(lessons()), None)
+    return ForSeat(lambda seat: seat if first is None else entered(seat, first.id))
+
+
 def _readable(name: str) -> Lesson | None:
     """A lesson, or None if its files are broken, so that the others stay usable."""
     try:

@@ -20,7 +20,7 @@ from helicoide.readout import plane_distances
 from helicoide.state import State, Update
 
 Random = np.random.Generator
-Wish = Callable[[Random, State], Update]
+RandomRequest = Callable[[Random, State], Update]
 ROUNDING = 1e-9
 ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad from `ready`
 
@@ -112,7 +112,7 @@ def limits(rng: Random, state: State) -> Update:
     return lambda state: replace(state, problem=replace(state.problem, limits=changed))
 
 
-WISHES: list[tuple[float, Wish]] = [
+REQUESTS: list[tuple[float, RandomRequest]] = [
     (6, target),
     (5, dragged_target),
     (5, dragged_plane),
@@ -129,7 +129,7 @@ WISHES: list[tuple[float, Wish]] = [
     (2, lambda rng, state: gate.get_ready()),
     (1, lambda rng, state: gate.set_gripper(rng.random())),
 ]
-SHARES = np.array([weight for weight, _ in WISHES]) / sum(weight for weight, _ in WISHES)
+SHARES = np.array([weight for weight, _ in REQUESTS]) / sum(weight for weight, _ in REQUESTS)
 
 
 @dataclass
@@ -180,8 +180,8 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
     """Requests at random times, ticks of random length, and a check of every promise."""
     worst = Worst()
     while worst.ticks < ticks:
-        _, wish = WISHES[rng.choice(len(WISHES), p=SHARES)]
-        state = wish(rng, state)(state)
+        _, request = REQUESTS[rng.choice(len(REQUESTS), p=SHARES)]
+        state = request(rng, state)(state)
         dt = float(np.exp(rng.uniform(np.log(0.001), np.log(0.05))))
         for _ in range(int(rng.integers(1, rng.choice([5, 50, 300])))):
             new = advance_with_search(state, dt)

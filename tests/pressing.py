@@ -70,9 +70,9 @@ class Lab:
     def view(self) -> View:
         return View(self.state, self.seat)
 
-    def act(self, wish: PageRequest) -> None:
+    def act(self, request: PageRequest) -> None:
         """Carry out a request as the lab does, but without other processes."""
-        match wish:
+        match request:
             case ForArm(update):
                 self.post(update)
             case ForSeat(update):
@@ -137,7 +137,7 @@ def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
             yield row
 
 
-def wishes(row: Row, view: View) -> list[Callable[[], PageRequest]]:
+def requests(row: Row, view: View) -> list[Callable[[], PageRequest]]:
     """The requests that a user can make with a row: ends and middle of a slider, every option, a far vector."""
     match row:
         case Slider(lower=low, upper=high, value=value):
@@ -163,9 +163,9 @@ def press(lab: Lab, rows: Sequence[Row]) -> None:
     while fresh := [row for row in leaves(rows, lab.view()) if _name(row, lab.view()) not in pressed]:
         row, view = fresh[0], lab.view()
         pressed.add(_name(row, view))
-        for wish in wishes(row, view):
+        for request in requests(row, view):
             with suppress(HelicoideError):
-                lab.act(wish())
+                lab.act(request())
 
 
 def _name(row: Any, view: View) -> str:

@@ -87,7 +87,7 @@ def test_a_value_out_of_place_changes_nothing(state: State, bad: str) -> None:
     unchanged(OTHERS[bad](), state)
 
 
-def test_a_notice_goes_with_the_next_wish(state: State) -> None:
+def test_a_notice_goes_with_the_next_request(state: State) -> None:
     refused = gate.go_to("nowhere")(state)
     assert gate.set_target(HERE, UP)(refused).notice is None
 
@@ -119,7 +119,7 @@ def test_what_a_search_finds_is_nothing_after_something_else_was_asked(state: St
         assert found(other) is other
 
 
-WISHES: dict[str, Callable[[State], State]] = {
+REQUESTS: dict[str, Callable[[State], State]] = {
     "target": gate.set_target(HERE, UP),
     "joint": gate.set_joint(1, 0.1),
     "pose": gate.go_to("zero"),
@@ -130,9 +130,9 @@ WISHES: dict[str, Callable[[State], State]] = {
 }
 
 
-@pytest.mark.parametrize("wish", WISHES)
-def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
-    moving = after(WISHES[wish](gate.go_to("zero")(state)), 0.2)
+@pytest.mark.parametrize("name", REQUESTS)
+def test_nothing_moves_after_a_stop(state: State, name: str) -> None:
+    moving = after(REQUESTS[name](gate.go_to("zero")(state)), 0.2)
     stopped = gate.stop()(moving)
     later = stopped
     for _ in range(200):
@@ -167,10 +167,10 @@ def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: g
     assert gate.drag_plane("seat", phase, 0, [0.5, 0, 0.6], [0, 1, 0, 0])(stopped) is stopped
 
 
-@pytest.mark.parametrize("wish", sorted(WISHES))
-def test_a_new_press_works_at_once_after_a_stop(state: State, wish: str) -> None:
+@pytest.mark.parametrize("name", sorted(REQUESTS))
+def test_a_new_press_works_at_once_after_a_stop(state: State, name: str) -> None:
     stopped = gate.stop()(after(gate.go_to("zero")(state), 0.3))
-    again = after(WISHES[wish](stopped), 0.1)
+    again = after(REQUESTS[name](stopped), 0.1)
     assert again.arm.q is not stopped.arm.q
 
 
@@ -240,10 +240,10 @@ DRIVING: dict[str, Update] = {
 }
 
 
-@pytest.mark.parametrize("wish", DRIVING)
-def test_a_parked_arm_refuses_to_be_driven(state: State, wish: str) -> None:
+@pytest.mark.parametrize("name", DRIVING)
+def test_a_parked_arm_refuses_to_be_driven(state: State, name: str) -> None:
     state = parked(state)
-    refused = unchanged(DRIVING[wish], state)
+    refused = unchanged(DRIVING[name], state)
     assert refused.notice == gate.PARKED
     assert after(refused, 0.5).arm.q is state.arm.q
 

@@ -25,7 +25,7 @@ STEPS = (
     Step("second", lambda state: state, lambda state, seat: True, ()),
 )
 """
-WISH = """
+REFUSED = """
 from helicoide.text import HelicoideError, Text
 raise HelicoideError(Text(en="three points on a line", pt_BR="três pontos numa reta"))
 """
@@ -72,7 +72,7 @@ BROKEN = {
     "a syntax error": ("lesson.py", b"STEPS = ("),
     "a failing import": ("lesson.py", b"import no_such_module"),
     "a failing line": ("lesson.py", b"1 / 0"),
-    "a refused wish": ("lesson.py", WISH.encode()),
+    "a refused request": ("lesson.py", REFUSED.encode()),
     "an end": ("lesson.py", b"raise SystemExit"),
     "no robot": ("lesson.py", GOOD.replace('"movemaster"', '"nobody"').encode()),
     "no title": ("lesson.py", GOOD.replace("TITLE", "NAME").encode()),
@@ -88,7 +88,7 @@ SAID = {
     "a syntax error": ("line 1 is no Python", "a linha 1 não é Python"),
     "a failing import": ("line 1 imports no_such_module", "a linha 1 importa no_such_module"),
     "a failing line": ("line 1 stops with ZeroDivisionError", "a linha 1 para com ZeroDivisionError"),
-    "a refused wish": ("line 3: three points on a line", "linha 3: três pontos numa reta"),
+    "a refused request": ("line 3: three points on a line", "linha 3: três pontos numa reta"),
     "an end": ("line 1 stops with SystemExit", "a linha 1 para com SystemExit"),
 }
 

@@ -92,8 +92,8 @@ def under_a_raised_ceiling() -> State:
 def drive(step_id: str) -> Callable[[Update, float], bool]:
     step = step_of("drive_the_arm", step_id)
 
-    def reached(wish: Update, seconds: float) -> bool:
-        state = played(wish(settled(step.setup(initial_state(robot())))), seconds)
+    def reached(request: Update, seconds: float) -> bool:
+        state = played(request(settled(step.setup(initial_state(robot())))), seconds)
         return step.goal(state, Seat(token="", language="en"))
 
     return reached
@@ -102,14 +102,14 @@ def drive(step_id: str) -> Callable[[Update, float], bool]:
 def dragged(position: Sequence[float], axis: Sequence[float] = (0, 0, 1), degrees: float = 0.0) -> Update:
     """A drag of the target that is not released, with a rotation about an axis of the tool."""
 
-    def wish(state: State) -> State:
+    def request(state: State) -> State:
         T = state.T_world_tool
         quat = rotation.from_matrix(T[:3, :3])
         state = gate.drag_target("hand", "start", T[:3, 3], quat)(state)
         turned = rotation.multiply(quat, rotation.from_axis_angle(axis, np.radians(degrees)))
         return gate.drag_target("hand", "update", position, turned)(state)
 
-    return wish
+    return request
 
 
 HERE = (0.6029, 0.0, 0.1671)

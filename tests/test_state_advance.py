@@ -66,13 +66,12 @@ def test_joints_are_brought_to_their_values(robot: Robot, dt: float) -> None:
     rng = np.random.default_rng(3)
     state = initial_state(robot)
     for _ in range(20):
-        wished = clear_posture(rng, state, 0.11)
+        q_target = clear_posture(rng, state, 0.11)
         state = with_joints(state, clear_posture(rng, state, 0.11))
         reached = gate.go_to("zero")(state)
-        reached = after(
-            replace(reached, request=replace(reached.request, command=reached.request.command.__class__(wished))), 8, dt
-        )
-        assert np.abs(reached.arm.q - wished).max() < 1e-3 or plane_distances(reached).min() < 0.081
+        command = reached.request.command.__class__(q_target)
+        reached = after(replace(reached, request=replace(reached.request, command=command)), 8, dt)
+        assert np.abs(reached.arm.q - q_target).max() < 1e-3 or plane_distances(reached).min() < 0.081
 
 
 def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: Robot, state: State) -> None:

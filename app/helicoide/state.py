@@ -38,7 +38,10 @@ class Drag:
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Constraints in the last guarded step. multipliers: of its rows; pull: the weighted size of the task."""
+    """The constraints that were active in the last guarded step.
+
+    multipliers: the Lagrange multiplier of each row of its constraints; pull: the weighted size of the task.
+    """
 
     multipliers: Array
     pull: float

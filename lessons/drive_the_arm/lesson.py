@@ -70,9 +70,9 @@ def turn_refused(state: State, seat: Seat) -> bool:
     """The target asks for a turn that five joints do not have; the tool keeps its place and rests."""
     if not isinstance(state.request.command, MoveToPose) or not state.request.with_orientation or state.arm.moving:
         return False
-    wished = state.request.command.T_world_target
-    missing = np.linalg.norm(wished[:3, 3] - state.T_world_tool[:3, 3])
-    return bool(missing < HELD_WITHIN) and abs(out_of_plane(wished)) >= TURNED
+    T_world_target = state.request.command.T_world_target
+    missing = np.linalg.norm(T_world_target[:3, 3] - state.T_world_tool[:3, 3])
+    return bool(missing < HELD_WITHIN) and abs(out_of_plane(T_world_target)) >= TURNED
 
 
 def held_by_the_ceiling(state: State, seat: Seat) -> bool:

@@ -36,7 +36,7 @@ class Situation:
     """What the arm is asked in each tick of `dt` seconds; None keeps the command."""
 
     name: str
-    wish: Callable[[State, int], Command | None]
+    command: Callable[[State, int], Command | None]
     dt: float = TICK
     with_orientation: bool = True
 
@@ -45,13 +45,13 @@ def _around(centre: Array, along: Array, across: Array) -> Callable[[State, int]
     """A target that goes around an ellipse, once in `LAP` ticks."""
     T_world_tool = initial_state(load_robot("movemaster")).T_world_tool
 
-    def wish(state: State, tick: int) -> Command:
+    def command(state: State, tick: int) -> Command:
         angle = 2 * np.pi * tick / LAP
         T = T_world_tool.copy()
         T[:3, 3] = centre + np.cos(angle) * along + np.sin(angle) * across
         return MoveToPose(frozen(T))
 
-    return wish
+    return command
 
 
 def _to_and_fro(state: State, tick: int) -> Command | None:
@@ -83,7 +83,7 @@ def _states(situation: Situation) -> Iterator[State]:
     """The arm before each of its ticks."""
     state = gate.keep_orientation(situation.with_orientation)(initial_state(load_robot("movemaster")))
     for tick in range(TICKS):
-        command = situation.wish(state, tick)
+        command = situation.command(state, tick)
         state = state if command is None else with_command(state, command)
         yield state
         state = advance(state, situation.dt)

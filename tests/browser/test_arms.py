@@ -90,8 +90,8 @@ def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: L
     layer = arm_layer(lab)
     assert set(layer.placed.links) == set(range(len(arm.robot.joints) + 1)), "a mesh for the base and each moving link"
     for shape in lab.shapes:
-        wished = arm.arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
-        np.testing.assert_allclose(position(page, f"/arm/{shape.name}"), wished[:3], atol=1e-6)
+        expected = arm.arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
+        np.testing.assert_allclose(position(page, f"/arm/{shape.name}"), expected[:3], atol=1e-6)
 
 
 def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:

@@ -28,7 +28,7 @@ def page(browser: Browser, lab: Lab) -> Iterator[Page]:
         yield page
 
 
-def wished(lab: Lab) -> Array:
+def target_position(lab: Lab) -> Array:
     """The position of the target, (3,), m; NaN without a target."""
     return (
         lab.state.request.command.T_world_target[:3, 3]
@@ -42,12 +42,12 @@ def test_a_drag_of_150_mm_brings_the_tool_there(lab: Lab, page: Page, axis: int,
     T = lab.state.T_world_tool
     start, along = T[:3, 3], T[:3, axis]
     grab(lab, page, start + ARROW * along, start + (ARROW + distance) * along)
-    until(page, lambda: abs(wished(lab) - start - distance * along).max() < 0.015)
+    until(page, lambda: abs(target_position(lab) - start - distance * along).max() < 0.015)
     page.mouse.up()
     until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 100)
-    assert abs(wished(lab) - start - distance * along).max() < 0.015
-    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - wished(lab)) < 1e-3
+    assert abs(target_position(lab) - start - distance * along).max() < 0.015
+    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - target_position(lab)) < 1e-3
     assert lab.nearest >= CRITICAL - 1e-9
 
 
@@ -57,7 +57,7 @@ def test_beyond_the_ceiling_every_point_keeps_its_distance_and_the_page_says_why
     page.wait_for_timeout(500)
     start, up = lab.state.T_world_tool[:3, 3], np.array([0.0, 0.0, 1.0])
     grab(lab, page, start + ARROW * up, start + (ARROW + 0.533) * up, steps=40)
-    until(page, lambda: bool(wished(lab)[2] > 0.8))
+    until(page, lambda: bool(target_position(lab)[2] > 0.8))
     lab.ticks(page, 150)
     until(page, lambda: "Blocked by plane +z (ceiling)" in status(page))
     assert "at 80 mm" in status(page)

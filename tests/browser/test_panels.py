@@ -255,7 +255,7 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
             assert lab.wait(60) == 0
 
 
-def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
+def test_a_target_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
     box(page, 6, "1200")
     until(page, lambda: isinstance(lab.state.request.command, MoveToPose))
     until(page, lambda: "Out of reach by" in status(page))

@@ -112,22 +112,22 @@ def test_without_the_gripper_in_the_points_the_ball_stays(state: State) -> None:
 
 
 def test_what_cannot_be_is_refused_in_words(state: State) -> None:
-    for wish, words in (
+    for request, words in (
         (gate.put_ball([np.nan, 0, 0]), "not a finite number"),
         (gate.put_ball([90, 0, 0]), "within"),
         (gate.set_grip("A1", "ajar"), "it may be: open, closed"),
     ):
         taught = gate.pick_and_place()(state)
-        refused = wish(taught)
+        refused = request(taught)
         assert refused.notice is not None
         assert words in refused.notice.en
         assert refused.ball is taught.ball
     other = initial_state(load_robot("orca"))
-    for wish, words in (
+    for request, words in (
         (gate.put_ball([0.1, 0, 0]), "no gripper that opens wide enough"),
         (gate.pick_and_place(), "movemaster"),
     ):
-        refused = wish(other)
+        refused = request(other)
         assert refused.notice is not None
         assert words in refused.notice.en
     assert gate.take_ball_away()(gate.pick_and_place()(state)).ball is None
@@ -141,7 +141,7 @@ def server() -> Iterator[viser.ViserServer]:
 
 
 def test_the_ball_and_its_stands_are_drawn_where_they_are(server: viser.ViserServer, state: State) -> None:
-    layer = ball.build(Stage(server.scene, state.robot, [], lambda wish: None, ""))
+    layer = ball.build(Stage(server.scene, state.robot, [], lambda request: None, ""))
     seat = Seat(token="", language="en")
     none, some = View(state, seat), View(gate.pick_and_place()(state), seat)
     layer.update(None, none)

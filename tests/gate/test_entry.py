@@ -124,13 +124,13 @@ def test_an_arm_without_an_instrument_is_refused(state: State) -> None:
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e9, "one", None, {}])
 def test_forged_numbers_change_nothing(held: State, value: object) -> None:
-    wishes: list[Callable[[object], State]] = [
+    requests: list[Callable[[object], State]] = [
         lambda point: gate.set_entry(point)(held),  # type: ignore[arg-type]
         lambda point: gate.drag_entry("seat", "start", point)(held),  # type: ignore[arg-type]
     ]
-    for wish in wishes:
+    for request in requests:
         for point in (value, [value, 0.0, 0.0]):
-            refused = wish(point)
+            refused = request(point)
             assert refused.problem is held.problem
             assert refused.notice is not None
 

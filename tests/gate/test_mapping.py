@@ -1,4 +1,4 @@
-"""Maps of the workspace as wishes: one arm's map is never another's, nothing comes that is not waited for."""
+"""Maps of the workspace as requests: one arm's map is never another's, nothing comes that is not waited for."""
 
 from __future__ import annotations
 
@@ -46,23 +46,23 @@ def test_a_map_is_counted_and_shown(state: State, found: WorkspaceMap) -> None:
 
 def test_nothing_comes_that_is_not_waited_for(state: State, found: WorkspaceMap) -> None:
     ended = gate.end_map()(gate.start_map(state.robot, "reachable")(state))
-    for wish in (
+    for request in (
         gate.tell_map(state.robot, 0.5),
         gate.show_map(state.robot, found),
         gate.fail_map(state.robot, untranslated("?")),
     ):
-        assert wish(ended) is ended
+        assert request(ended) is ended
 
 
 def test_another_arm_does_not_get_the_map(state: State, found: WorkspaceMap) -> None:
     counting, other = gate.start_map(state.robot, "reachable")(state), load_robot("puma560")
-    for wish in (
+    for request in (
         gate.start_map(other, "reachable"),
         gate.tell_map(other, 0.5),
         gate.show_map(other, found),
         gate.fail_map(other, untranslated("?")),
     ):
-        assert wish(counting) is counting
+        assert request(counting) is counting
 
 
 def test_another_map_takes_the_place_of_the_one_that_is_counted_and_leaves_the_one_that_is_shown(

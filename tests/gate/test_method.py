@@ -1,4 +1,4 @@
-"""What may be wished of a method: names, settings, gains, objectives, a second arm; and what is refused in words."""
+"""What may be requested of a method: names, settings, gains, objectives, a second arm; and what is refused in words."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def moving(state: State) -> State:
     return after(gate.set_target([0.45, 0.15, 0.25], [1, 0, 0, 0])(state), 0.1)
 
 
-def refused(state: State, wish: Update) -> bool:
+def refused(state: State, request: Update) -> bool:
     """Whether nothing changed but the notice."""
-    after_it = wish(state)
+    after_it = request(state)
     kept = (
         after_it.request.controller is state.request.controller
         and after_it.compared is state.compared
@@ -52,7 +52,7 @@ def test_forged_settings_gains_and_weights_change_nothing(moving: State, value: 
 
 
 @pytest.mark.parametrize(
-    "wish",
+    "ask",
     [
         lambda: gate.choose_method("magic"),
         lambda: gate.compare_with("magic"),
@@ -64,8 +64,8 @@ def test_forged_settings_gains_and_weights_change_nothing(moving: State, value: 
         lambda: gate.objective_as_row(True),
     ],
 )
-def test_what_does_not_exist_is_refused(moving: State, wish: Callable[[], Update]) -> None:
-    assert refused(moving, wish())
+def test_what_does_not_exist_is_refused(moving: State, ask: Callable[[], Update]) -> None:
+    assert refused(moving, ask())
 
 
 def test_settings_outlive_a_change_of_method_and_hold_for_both_arms(moving: State) -> None:

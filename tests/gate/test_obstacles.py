@@ -144,14 +144,14 @@ def test_an_arm_does_not_park_past_obstacles(beside_it: State) -> None:
 
 @pytest.mark.parametrize("index", [1, -1, 0.5, np.nan, None, "0"])
 def test_a_sphere_that_is_not_there(beside_it: State, index: int) -> None:
-    wishes: list[Callable[[int], Update]] = [
+    requests: list[Callable[[int], Update]] = [
         gate.remove_obstacle,
         lambda n: gate.set_obstacle(n, [0.5, 0.5, 0.5]),
         lambda n: gate.set_obstacle_radius(n, 0.05),
         lambda n: gate.drag_obstacle("seat", "start", n, [0.5, 0.5, 0.5]),
     ]
-    for wish in wishes:
-        refused = wish(index)(beside_it)
+    for request in requests:
+        refused = request(index)(beside_it)
         assert obstacles(refused) is obstacles(beside_it)
         assert refused.request.drag is None
         assert refused.notice is not None

@@ -45,8 +45,8 @@ def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str)
         state = advance_with_search(state, 0.01)
         assert isinstance(state.request.command, FollowPath)
         if state.request.command.arrived:
-            wished = state.request.command.path.pose(state.request.command.s)[:3, 3]
-            worst = max(worst, float(np.linalg.norm(wished - state.T_world_tool[:3, 3])))
+            desired = state.request.command.path.pose(state.request.command.s)[:3, 3]
+            worst = max(worst, float(np.linalg.norm(desired - state.T_world_tool[:3, 3])))
     assert worst < 2e-3 * state.robot.reach
     assert state.request.path_s < 0.5 or state.request.path_s > 9.5
 
@@ -100,8 +100,8 @@ def test_another_duration_goes_on_from_the_same_place(state: State) -> None:
 
 def test_another_path_stops_the_one_that_plays(state: State) -> None:
     playing = after(gate.play()(state), 1.0)
-    for wish in (gate.choose_path("eq35"), gate.choose_scaling("trapezoid")):
-        changed = wish(playing)
+    for request in (gate.choose_path("eq35"), gate.choose_scaling("trapezoid")):
+        changed = request(playing)
         assert changed.request.command == HoldPosition()
         assert changed.request.path_s == 0.0
 

@@ -42,10 +42,10 @@ def test_every_posture_has_the_tool_at_the_target_and_the_one_that_the_arm_has_i
 
 def test_the_arm_goes_to_a_posture_of_the_list_and_has_the_same_pose_there() -> None:
     state = puma()
-    wished = listed(state).rows[1].q
+    q_target = listed(state).rows[1].q
     gone = after(gate.go_to_posture(1)(state), 12.0)
     assert isinstance(gone.request.command, MoveToJoints)
-    np.testing.assert_allclose(gone.arm.q, wished, atol=2e-3)
+    np.testing.assert_allclose(gone.arm.q, q_target, atol=2e-3)
     np.testing.assert_allclose(gone.T_world_tool, state.T_world_tool, atol=5e-3)
 
 

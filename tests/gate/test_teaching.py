@@ -44,8 +44,8 @@ def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> N
             break
         state = advance_with_search(state, 0.01)
         if command.arrived and isinstance(state.request.command, Replay):
-            wished = tool_pose_in(state.robot, path.q(state.request.command.s))[:3, 3]
-            worst = max(worst, float(np.linalg.norm(state.T_world_tool[:3, 3] - wished)))
+            desired = tool_pose_in(state.robot, path.q(state.request.command.s))[:3, 3]
+            worst = max(worst, float(np.linalg.norm(state.T_world_tool[:3, 3] - desired)))
         passed = [
             min(p, float(abs(state.arm.q - w.q).max())) for p, w in zip(passed, taught.taught.waypoints, strict=True)
         ]
@@ -108,7 +108,7 @@ def test_the_way_the_stay_and_the_posture_of_a_point_can_be_changed(taught: Stat
 
 
 def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
-    wishes = [
+    requests = [
         gate.record("jump"),
         gate.rename_waypoint("P9", "x"),
         gate.rename_waypoint("P1", "P2"),
@@ -123,8 +123,8 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
         gate.take_waypoints(b"\xff"),
         gate.take_waypoints(encode_waypoints(state.taught)),
     ]
-    for wish in wishes:
-        refused = wish(taught)
+    for request in requests:
+        refused = request(taught)
         assert refused.taught.waypoints is taught.taught.waypoints
         assert refused.notice is not None
     nothing = replay_through(state)(state)

@@ -87,7 +87,7 @@ def test_every_setting_can_be_set_and_refuses_what_is_not_valid(name: str) -> No
 
 @pytest.mark.parametrize("robot_name", ["movemaster", "planar3r", "scara", "puma560", "dia10"])
 def test_under_the_guard_no_method_breaks_a_promise_and_switching_never_jumps(robot_name: str) -> None:
-    """Wishes near and far, another method or setting every few ticks, another arm beside it: q moves by q̇ dt only."""
+    """Targets near and far, another method or setting every few ticks, another arm beside it: q moves by q̇ dt only."""
     rng, state, worst = np.random.default_rng(8), initial_state(library.load_robot(robot_name)), Worst()
     for _ in range(60):
         state = gate.choose_method(str(rng.choice(names())))(state)

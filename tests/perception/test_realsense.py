@@ -38,7 +38,7 @@ class Package:
         self.fails: str | None = None
 
     def config(self) -> Any:
-        return SimpleNamespace(enable_stream=lambda *wished: setattr(self, "wished", wished))
+        return SimpleNamespace(enable_stream=lambda *requested: setattr(self, "requested", requested))
 
     def pipeline(self) -> Any:
         return self
@@ -90,7 +90,7 @@ def test_it_gives_what_the_simulated_camera_gives(package: Package, state: State
     answer = find_plane(cloud.points, READINGS["+y"][1], INSIDE)
     assert isinstance(answer, FoundPlane)
     assert package.stopped == 1
-    assert package.wished == ("depth", 106, 60, "z16", 30)  # type: ignore[attr-defined]
+    assert package.requested == ("depth", 106, 60, "z16", 30)  # type: ignore[attr-defined]
 
 
 def test_pictures_from_before_the_arm_came_to_rest_are_passed_over(package: Package, state: State) -> None:

@@ -30,7 +30,7 @@ def share(workspace: WorkspaceMaps) -> float | None:
 
 
 class _Arm:
-    """An arm whose wishes are granted at once; every workspace it ever had."""
+    """An arm whose requests are granted at once; every workspace it ever had."""
 
     def __init__(self, state: State) -> None:
         self.state = state

@@ -93,8 +93,9 @@ def screen() -> Iterator[str]:
 @contextmanager
 def firefox(home: Path, language: str, environment: dict[str, str]) -> Iterator[Ask]:
     """Firefox, which writes down the port on which it listens."""
-    wished = {"marionette.port": 0, "intl.accept_languages": language.replace("_", "-")}
-    (home / "user.js").write_text("".join(f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in wished.items()))
+    preferences = {"marionette.port": 0, "intl.accept_languages": language.replace("_", "-")}
+    lines = (f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in preferences.items())
+    (home / "user.js").write_text("".join(lines))
     noted = home / "MarionetteActivePort"
     with running(["firefox-esr", "--marionette", "--kiosk", "--profile", str(home)], env=environment):
         until(lambda: noted.exists() and noted.read_text(), "Firefox listens")
@@ -133,8 +134,8 @@ def webkit(home: Path, language: str, environment: dict[str, str]) -> Iterator[A
     options = {"binary": glob(MINIBROWSER)[0], "args": ["--automation"]}
     with running(["WebKitWebDriver", f"--port={port}"], env=environment):
         until(lambda: listens(port), "WebKit listens")
-        wished = {"capabilities": {"alwaysMatch": {"webkitgtk:browserOptions": options}}}
-        session = f"/session/{http(port, 'POST', '/session', **wished)['sessionId']}"
+        body = {"capabilities": {"alwaysMatch": {"webkitgtk:browserOptions": options}}}
+        session = f"/session/{http(port, 'POST', '/session', **body)['sessionId']}"
 
         def ask(command: str, **parameters: object) -> Any:
             method, path = ROUTES[command].split()

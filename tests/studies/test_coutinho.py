@@ -176,15 +176,15 @@ def test_the_device_tells_the_newest_sample_and_differences(t: float) -> None:
     """§4.2: velocity (p_k − p_{k−1}) / T_s, of the hand's turn too."""
     T, hand = np.eye(4), steering_hand(0.027, 0.015, 0.4)
     T[:3, :3] = rotation.exponential([0.3, -1.1, 0.6])
-    wish = HapticDevice(hand, T, 0.01).reference(t)
+    reference = HapticDevice(hand, T, 0.01).reference(t)
     number = np.floor(t / SAMPLE + 1e-6)
     d, angle = hand(number * SAMPLE)
-    np.testing.assert_allclose(wish.T_world_target[:3, 3], T[:3, :3] @ d, atol=1e-15)
+    np.testing.assert_allclose(reference.T_world_target[:3, 3], T[:3, :3] @ d, atol=1e-15)
     before, angle_before = hand(max(number - 1, 0) * SAMPLE)
-    np.testing.assert_allclose(wish.feedforward[:3], T[:3, :3] @ (d - before) / SAMPLE, atol=1e-9)
-    np.testing.assert_allclose(wish.feedforward[3:], T[:3, 0] * (angle - angle_before) / SAMPLE, atol=1e-9)
+    np.testing.assert_allclose(reference.feedforward[:3], T[:3, :3] @ (d - before) / SAMPLE, atol=1e-9)
+    np.testing.assert_allclose(reference.feedforward[3:], T[:3, 0] * (angle - angle_before) / SAMPLE, atol=1e-9)
     assert HapticDevice(hand, T).reference(t).entry_rate.tolist() == [0.0, 0.0]
-    assert abs(wish.entry_rate[0]) <= 0.01
+    assert abs(reference.entry_rate[0]) <= 0.01
 
 
 def test_the_hand_starts_where_the_tool_is() -> None:

@@ -73,7 +73,7 @@ HERE = taught("movemaster")
 
 
 @pytest.mark.parametrize(
-    ("wish", "words"),
+    ("call", "words"),
     [
         (lambda: without_waypoint(HERE, "d"), "no waypoint 'd'; waypoints: a, b, c"),
         (lambda: with_waypoint_at(HERE, "d", 0), "no waypoint 'd'"),
@@ -98,9 +98,9 @@ HERE = taught("movemaster")
         (lambda: waypoint(ROBOT, "x", [0, 0, 9, 0, 0]), "sets J3 to 9 rad; the range is -2.148 to"),
     ],
 )
-def test_what_cannot_be_is_refused_in_words(wish: Callable[[], object], words: str) -> None:
+def test_what_cannot_be_is_refused_in_words(call: Callable[[], object], words: str) -> None:
     with pytest.raises(HelicoideError) as refused:
-        wish()
+        call()
     assert words in refused.value.text.en
     assert refused.value.text.pt_BR != refused.value.text.en
     assert HERE.names == ("a", "b", "c")

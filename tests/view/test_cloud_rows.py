@@ -36,15 +36,15 @@ def test_the_unit_that_is_chosen_goes_with_the_file(unit: str) -> None:
     assert isinstance(chosen, ForSeat)
     view = View(STATE, chosen.update(SEAT))
     assert UNIT.value(view) == unit
-    wishes = [row.request(view, "room.xyz", b"1 2 3") for row in UPLOADS]
-    assert [wish.unit for wish in wishes if isinstance(wish, ReadCloud)] == [unit] * 3
+    requests = [row.request(view, "room.xyz", b"1 2 3") for row in UPLOADS]
+    assert [request.unit for request in requests if isinstance(request, ReadCloud)] == [unit] * 3
 
 
 def test_at_first_and_after_nonsense_a_file_tells_its_unit() -> None:
     for seat in (SEAT, replace(SEAT, cloud_unit="furlong")):
-        wish = UPLOADS[0].request(View(STATE, seat), "room.xyz", b"1 2 3")
-        assert isinstance(wish, ReadCloud)
-        assert wish.unit is None
+        request = UPLOADS[0].request(View(STATE, seat), "room.xyz", b"1 2 3")
+        assert isinstance(request, ReadCloud)
+        assert request.unit is None
     assert UNIT.value(View(STATE, SEAT)) == ""
     assert not callable(UNIT.options)
     assert {key for key, _ in UNIT.options} == {"", *UNITS}

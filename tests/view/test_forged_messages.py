@@ -63,7 +63,7 @@ def windows(lab: Lab) -> list[Window]:
 
 
 def moved(lab: Lab, act: Callable[[], object]) -> bool:
-    """Whether the arm, its planes or its wish are different after what a page did."""
+    """Whether the arm, its planes or its command are different after what a page did."""
     before = arm(lab)
     act()
     after = after_ticks(lab)
@@ -126,10 +126,10 @@ def test_a_drag_whose_end_gets_lost_ends_when_the_pointer_is_let_go(session: Lab
     page.do(page.page.tell(released=True))
     assert eventually(lambda: arm(session).request.drag is None)
     assert eventually(lambda: arm(session).request.searched)
-    wished = arm(session).request.command
+    command = arm(session).request.command
     page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.4, 0.2, 0.3))
     after_ticks(session)
-    assert arm(session).request.command is wished
+    assert arm(session).request.command is command
     page.drag("Start")
     assert eventually(lambda: arm(session).request.drag is not None)
     stranger = Page(session.server.get_port())

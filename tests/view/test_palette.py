@@ -31,7 +31,7 @@ def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: 
         assert sum(words.startswith(form.en.partition("{")[0]) for words in there) == number, form.en
     for language in LANGUAGES:
         assert len({text[language] for text, _ in known}) == len(known)
-    assert sum(isinstance(wish, ShowTab) for _, wish in known) == kinds[TAB]
-    assert sum(isinstance(wish, ForLab) for _, wish in known) == kinds[ARM]
-    assert sum(isinstance(wish, ForStudyPanel) for _, wish in known) == kinds[STUDY]
-    assert sum(isinstance(wish, ForArm) for _, wish in known) >= kinds[POSE] + kinds[METHOD]
+    assert sum(isinstance(request, ShowTab) for _, request in known) == kinds[TAB]
+    assert sum(isinstance(request, ForLab) for _, request in known) == kinds[ARM]
+    assert sum(isinstance(request, ForStudyPanel) for _, request in known) == kinds[STUDY]
+    assert sum(isinstance(request, ForArm) for _, request in known) >= kinds[POSE] + kinds[METHOD]

@@ -73,9 +73,9 @@ def test_a_posture_is_chosen_from_the_list(puma: State) -> None:
     assert callable(choice.options)
     assert len(choice.options(View(puma, view.seat))) == 1
     assert len(choice.options(view)) == 9
-    wish = choice.request("1")
-    assert isinstance(wish, ForArm)
-    gone = after(wish.update(view.state), 12.0)
+    request = choice.request("1")
+    assert isinstance(request, ForArm)
+    gone = after(request.update(view.state), 12.0)
     assert "shoulder right, elbow up</b> current posture" in written(rows, replace(view, state=gone))
 
 
@@ -88,16 +88,16 @@ def test_the_arm_joint_by_joint_as_the_command_line_prints_it(name: str, kind: S
     (choice,) = [row for row in inside(rows) if isinstance(row, Dropdown)]
     seat = Seat("", "pt_BR")
     assert "<td" not in written(rows, View(state, seat))
-    wish = choice.request(kind)
-    assert isinstance(wish, ForSeat)
-    said = written(rows, View(state, wish.update(seat)))
+    request = choice.request(kind)
+    assert isinstance(request, ForSeat)
+    said = written(rows, View(state, request.update(seat)))
     table = stage_table.text_table(state.robot, state.arm.q, kind, as_source=True)
     assert all(text.pt_BR in said for text in (table.head, table.end, *(named for named, _ in table.joints)))
     cells = [cell.pt_BR.replace("-", "−") for _, matrix in table.joints for row in matrix for cell in row]
     assert [part.split("<")[0] for part in said.split("<td>")[1:]] == cells
     hidden = choice.request("")
     assert isinstance(hidden, ForSeat)
-    assert hidden.update(wish.update(seat)).stages is None
+    assert hidden.update(request.update(seat)).stages is None
     forged = choice.request("nothing of this kind")
     assert isinstance(forged, ForSeat)
     assert forged.update(seat).stages is None

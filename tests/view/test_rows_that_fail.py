@@ -43,19 +43,19 @@ def english(value: Any) -> Any:
     return lambda view: value if view.seat.language == "en" else fails()
 
 
-NAME, WISH = untranslated("a row"), ForLab("movemaster")
+NAME, REQUEST = untranslated("a row"), ForLab("movemaster")
 UNREADABLE: dict[str, Row] = {
     "words": HtmlRow(english(Markup("said"))),
-    "slider": Slider(NAME, 0.0, 1.0, 0.1, english(0.5), lambda _: WISH),
-    "slider with a label": Slider(english(NAME), 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: WISH),
-    "slider that is disabled": Slider(NAME, 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: WISH, english(True)),
-    "button": Button(english(NAME), lambda _: WISH),
-    "button that is hidden": Button(lambda _: NAME, lambda _: WISH, shown=english(True)),
-    "tick": Checkbox(NAME, english(True), lambda _: WISH),
-    "choice": Dropdown(NAME, [("a", NAME)], english("a"), lambda _: WISH),
-    "choice of what there is": Dropdown(NAME, english([("a", NAME)]), lambda _: "a", lambda _: WISH),
-    "triple": VectorRow(NAME, 1.0, english((0.0, 0.0, 0.0)), lambda view, _: WISH),
-    "entry": TextEntry(NAME, english("typed"), NAME, lambda _: WISH),
+    "slider": Slider(NAME, 0.0, 1.0, 0.1, english(0.5), lambda _: REQUEST),
+    "slider with a label": Slider(english(NAME), 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: REQUEST),
+    "slider that is disabled": Slider(NAME, 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: REQUEST, english(True)),
+    "button": Button(english(NAME), lambda _: REQUEST),
+    "button that is hidden": Button(lambda _: NAME, lambda _: REQUEST, shown=english(True)),
+    "tick": Checkbox(NAME, english(True), lambda _: REQUEST),
+    "choice": Dropdown(NAME, [("a", NAME)], english("a"), lambda _: REQUEST),
+    "choice of what there is": Dropdown(NAME, english([("a", NAME)]), lambda _: "a", lambda _: REQUEST),
+    "triple": VectorRow(NAME, 1.0, english((0.0, 0.0, 0.0)), lambda view, _: REQUEST),
+    "entry": TextEntry(NAME, english("typed"), NAME, lambda _: REQUEST),
     "bar": Bar(english(0.5)),
     "plot": Plot(english(()), 0),
     "folder": Folder(NAME, DependentRows(english("key"), lambda key: [])),
@@ -63,7 +63,7 @@ UNREADABLE: dict[str, Row] = {
         NAME, DependentRows(lambda view: view.seat.language, lambda key: [] if key == "en" else fails())
     ),
 }
-UNWISHED: dict[str, Row] = {
+FAILING_REQUESTS: dict[str, Row] = {
     "slider": Slider(NAME, 0.0, 1.0, 0.1, lambda _: 0.5, fails),
     "button": Button(lambda _: NAME, fails),
     "tick": Checkbox(NAME, lambda _: True, fails),
@@ -145,8 +145,8 @@ def test_a_row_that_cannot_be_refreshed_is_marked(
     assert told(caplog) == [f"A row of a panel failed: {type(row).__name__}."]
 
 
-@pytest.mark.parametrize("row", UNWISHED.values(), ids=UNWISHED)
-def test_a_row_whose_wish_cannot_be_made_is_marked(
+@pytest.mark.parametrize("row", FAILING_REQUESTS.values(), ids=FAILING_REQUESTS)
+def test_a_row_whose_request_cannot_be_made_is_marked(
     server: viser.ViserServer, views: dict[Language, View], row: Row, caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
@@ -165,19 +165,19 @@ def touch(handle: Any) -> None:
         asyncio.run_coroutine_threadsafe(callback(event), handle._impl.gui_api._event_loop).result(60)
 
 
-def test_a_wish_that_cannot_be_granted_marks_its_row(
+def test_a_request_that_cannot_be_granted_marks_its_row(
     server: viser.ViserServer, views: dict[Language, View], caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
-    wishes: list[PageRequest] = []
-    placed = place_rows(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], wishes.append)
+    requests: list[PageRequest] = []
+    placed = place_rows(server.gui, [Button(lambda _: NAME, lambda _: REQUEST)], views["en"], requests.append)
     (button,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiButtonHandle)]
     touch(button)
-    assert wishes == [WISH]
+    assert requests == [REQUEST]
     placed[0].refresh(views["pt_BR"])
     assert told(caplog) == []
     server.gui.reset()
-    place_rows(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], fails)
+    place_rows(server.gui, [Button(lambda _: NAME, lambda _: REQUEST)], views["en"], fails)
     (button,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiButtonHandle)]
     touch(button)
     assert read(server.gui) == [mark("en")]
@@ -204,13 +204,13 @@ def test_rows_come_back_when_their_key_can_be_read_again(
 def test_two_that_are_called_alike_can_be_told_apart(server: viser.ViserServer, views: dict[Language, View]) -> None:
     """The page refuses a list with the same words twice."""
     server.gui.reset()
-    wishes: list[PageRequest] = []
+    requests: list[PageRequest] = []
     alike = Dropdown(NAME, [(key, NAME) for key in "abc"], lambda _: "a", ForLab)
-    (placed,) = place_rows(server.gui, [alike], views["en"], wishes.append)
+    (placed,) = place_rows(server.gui, [alike], views["en"], requests.append)
     (handle,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiDropdownHandle)]
     assert len(set(handle.options)) == 3
     for option in handle.options:
         handle.value = option
         touch(handle)
         placed.refresh(views["en"])
-    assert wishes == [ForLab("a"), ForLab("b"), ForLab("c")]
+    assert requests == [ForLab("a"), ForLab("b"), ForLab("c")]

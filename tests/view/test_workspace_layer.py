@@ -61,7 +61,7 @@ def seen(found: WorkspaceMap | None, name: str = "movemaster", cut: float = 0.0,
 
 def staged(name: str = "movemaster") -> tuple[_Scene, layer.WorkspaceLayer]:
     scene, robot = _Scene(), load_robot(name)
-    return scene, layer.build(Stage(scene, robot, shapes.load_shapes(robot), lambda wish: None, ""))  # type: ignore[arg-type]
+    return scene, layer.build(Stage(scene, robot, shapes.load_shapes(robot), lambda request: None, ""))  # type: ignore[arg-type]
 
 
 def drawn(found: WorkspaceMap, name: str = "movemaster", cut: float = 0.0) -> Any:

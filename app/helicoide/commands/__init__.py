@@ -118,6 +118,6 @@ def language() -> Language:
     As in other programs, LANGUAGE is ignored if these say C. The locale need not be installed. English is the default.
     """
     chosen = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
-    wishes = [] if chosen in ("C", "POSIX") else os.environ.get("LANGUAGE", "").split(":")
-    known = (wish[:2].lower() for wish in (*wishes, chosen) if wish[:2].lower() in ("pt", "en"))
+    preferred = [] if chosen in ("C", "POSIX") else os.environ.get("LANGUAGE", "").split(":")
+    known = (code[:2].lower() for code in (*preferred, chosen) if code[:2].lower() in ("pt", "en"))
     return "pt_BR" if next(known, "en") == "pt" else "en"

@@ -159,9 +159,9 @@ __all__ = [
     "take_waypoints",
     "teach_again",
     "tell_map",
+    "unsay",
     "weigh_joint",
     "weigh_objective",
-    "unsay",
     "while_asked",
     "while_there",
 ]

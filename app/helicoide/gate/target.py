@@ -17,10 +17,10 @@ Phase = Literal["start", "update", "end"]
 
 
 def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """Drag the target to a position (3,), m, and a quaternion (4,).
+    """Drag the target to a position (3,), m, world frame, and a quaternion (4,), wxyz. seat: who drags.
 
-    After the end of a drag under the guarded step the target moves to the accepted goal, if a search finds no better
-    posture.
+    Under the guarded step, the end of a drag starts a search for a better posture. If it finds none, the target moves
+    to the accepted goal.
     """
 
     def change(state: State) -> State:
@@ -36,9 +36,10 @@ def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -
 
 
 def _released(state: State, T_world_target: Array) -> State:
-    """The state after the end of a drag. Under the guarded step a search for another posture follows.
+    """The state after the end of a drag, with the target at T_world_target (4, 4), m.
 
-    If that finds no better posture, the target moves to the accepted goal. Under other methods it stays.
+    Under the guarded step a search for a better posture follows. If it finds none, the target moves to the accepted
+    goal. With other methods the target stays where it is.
     """
     settles = state.request.controller.method == GUARDED
     request = replace(state.request, drag=None, command=MoveToPose(T_world_target, settles), searched=False)
@@ -46,7 +47,7 @@ def _released(state: State, T_world_target: Array) -> State:
 
 
 def let_go(drag: Drag) -> Update:
-    """End this drag at its present place; a later drag is not ended."""
+    """End this drag where it is now. If another drag has begun since then, that one continues."""
 
     def update(state: State) -> State:
         if state.request.drag is not drag:
@@ -59,10 +60,10 @@ def let_go(drag: Drag) -> Update:
 
 
 def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """Set the target to a position (3,), m, and a quaternion (4,). It stays there even out of reach."""
+    """Set the target to a position (3,), m, and a quaternion (4,), wxyz. It stays there even if it is out of reach."""
     return driven(lambda state: with_command(state, MoveToPose(pose(state, position, wxyz))))
 
 
 def keep_orientation(on: bool) -> Update:
-    """Whether the orientation of the target counts, or only its position."""
+    """Set whether the tool follows the position and the orientation of the target (on), or only its position."""
     return lambda state: replace(state, request=replace(state.request.renewed(), with_orientation=bool(on)))

@@ -49,8 +49,8 @@ def pose_of_tool(problem: Problem, poses: Array) -> Array:
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
     poses = frozen(link_poses(problem.robot.chain, q))
     T = pose_of_tool(problem, poses)
-    wished = T_world_target[:3, 3]
-    short = dist(wished, T[:3, 3])
+    target = T_world_target[:3, 3]
+    short = dist(target, T[:3, 3])
     turned = hypot(*rotation_error(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))
     reach = problem.robot.reach
     turn = (ORIENTATION_LENGTH * reach) ** 2 * min(GAIN * turned, TOOL_TURN)
@@ -59,7 +59,7 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
         q=frozen(q),
         poses=poses,
         T_world_tool=T,
-        reached=dist(allowed(packed(problem), wished), T[:3, 3]) < REACHED,
+        reached=dist(allowed(packed(problem), target), T[:3, 3]) < REACHED,
         position_error=short,
         orientation_error=turned,
         reasons=tuple(
@@ -84,8 +84,9 @@ def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = 
     yielding: as in `joint_task`.
     """
     robot = problem.robot
-    wished = pose_of_tool(problem, link_poses(robot.chain, q_target))
-    return _rest(problem, packed(problem.without_acceleration_limits), q, wished, (True, q_target, yielding), _AHEAD)
+    arm = packed(problem.without_acceleration_limits)
+    T_world_target = pose_of_tool(problem, link_poses(robot.chain, q_target))
+    return _rest(problem, arm, q, T_world_target, (True, q_target, yielding), _AHEAD)
 
 
 def _rest(

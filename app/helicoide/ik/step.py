@@ -1,6 +1,6 @@
-"""The guarded step as one call, for the loop of the lab and for scripts.
+"""The guarded step as one function call, for the control loop of the lab and for scripts.
 
-Pack the arm once (`packing.packed`) and make its work space once (`work.work_for`). Each `step` changes q in place.
+Pack the arm once (`packing.packed`) and allocate its work space once (`work.work_for`). Each `step` changes q in place.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ STILL = np.zeros(3)
 def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, memory: Array) -> float:
     """One guarded step of the tool towards a pose, under joint limits, planes, obstacles and self-collision pairs.
 
-    Args: arm of `packing.packed`; q (n,), rad or m, changed in place; T_world_target (4, 4), m; ahead: velocity of its
-    point, (3,), m/s, `STILL` for none; dt, s; memory of `work.work_for`: the joint velocities of the step before, and
-    afterwards the results of this one. Returns the fraction of the step that was taken. Shapes are not checked.
+    Args: arm of `packing.packed`; q (n,), rad or m, changed in place; T_world_target (4, 4), m; ahead (3,): velocity of
+    the target point, m/s, world frame, `STILL` if it is at rest; dt, s; memory of `work.work_for`: it holds the joint
+    velocities of the previous step and receives the results of this one. Returns the fraction of the computed step that
+    was taken, 0 to 1. Shapes are not checked.
     """
     at = array_parts(arm)
     buffers = opened(memory, at)
@@ -42,7 +43,7 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
 
 @kernel
 def step_in_levels(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffers) -> None:
-    """The step of an arm with an instrument in an entry point, or with orientation at a second level of priority."""
+    """The step in levels of priority: the entry point first, if any; the orientation last, if it has its own level."""
     arm = placed.arm
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
@@ -53,7 +54,10 @@ def step_in_levels(placed: PlacedArm, task: Task, dt: float, buffers: StepBuffer
 
 @kernel
 def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float) -> Task:
-    """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m². Args as in `step`."""
+    """The task that `step` solves: J (6, n); v (6,), a displacement, m and rad; weights (6,); damping (n,), m².
+
+    Args as in `step`.
+    """
     at = array_parts(arm)
     placed = PlacedArm(arm, at, q, np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4)))
     place_links(placed)
@@ -68,8 +72,9 @@ def step_task(
 ) -> float:
     """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², in levels of priority.
 
-    Args: J (r, n), v (r,); weights (r,), the diagonal of W; damping d (n,), each in the unit of (W v)² / Δqᵢ²; begins:
-    the rows at which further levels begin, empty for one level. Other arguments and result as in `step`.
+    A later level moves the arm only in the null space of the earlier ones. Args: J (r, n); v (r,): displacement asked
+    of this step; weights (r,): the diagonal of W; damping d (n,), in the unit of (W v)² / Δqᵢ²; begins: the first row
+    of each level but the first, empty for one level. Other arguments and result as in `step`.
     """
     # Four arrays, not one tuple: Python passes them to a kernel faster.
     at = array_parts(arm)

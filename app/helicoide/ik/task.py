@@ -146,13 +146,13 @@ def allowed_point(arm: Array, at: At, point: Vector) -> Vector:
 def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
     """`allowed_point` for a point that the planes do not allow."""
     k = at.pairs - at.planes
-    normals, bounds, wished = np.empty((k, 3)), np.empty((2, k)), np.empty(3)
+    normals, bounds, desired = np.empty((k, 3)), np.empty((2, k)), np.empty(3)
     for p in range(k):
         for a in range(3):
             normals[p, a] = arm[at.planes + p, a]
         bounds[0, p], bounds[1, p] = arm[at.planes + p, OFFSET] + arm[SETTING, CRITICAL], np.inf
-    wished[0], wished[1], wished[2] = point
-    (found, _), verdict = project_into_limits(Constraints(normals, bounds[0], bounds[1]), wished)
+    desired[0], desired[1], desired[2] = point
+    (found, _), verdict = project_into_limits(Constraints(normals, bounds[0], bounds[1]), desired)
     return (found[0], found[1], found[2]) if verdict == SOLVED else point
 
 
@@ -169,7 +169,8 @@ def joint_task(q: Array, q_target: Array, yielding: int, dt: float) -> tuple[Arr
     """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q).
 
     Args: q, q_target (n,), rad or m; yielding: the joint with the smallest weight, which gives way first to a
-    constraint, −1 for equal weights; dt, s. Returns J, v, weights and damping.
+    constraint, −1 for equal weights; dt, s. Returns J (n, n), v (n,), rad or m, weights (n,) and damping (n,),
+    both dimensionless, as J is.
     """
     n = q.shape[0]
     weights = np.ones(n)

@@ -1,4 +1,4 @@
-"""The geometric Jacobian of a point on any link, in the base frame: the kernels of the control loop."""
+"""Kernels for the geometric Jacobian of a point on any link, in the world frame, which is that of the base."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from helicoide.kinematics.chain import Chain
 
 @kernel
 def joint_axes(poses: Array, chain: Chain) -> Array:
-    """Joint axes in the current posture: sᵢ' = Rᵢ sᵢ.
+    """Joint axes in the current posture: aᵢ = Rᵢ sᵢ, where sᵢ is the axis of joint i at q = 0.
 
-    Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,) of `chain.CHAIN`. Returns (m, 3), world.
+    Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,) of `chain.CHAIN`. Returns unit vectors (m, 3), world.
     """
     m = chain.shape[0]
     axes = np.empty((m, 3))
@@ -30,7 +30,7 @@ def joint_axes(poses: Array, chain: Chain) -> Array:
 
 @kernel
 def variable_count(chain: Chain) -> int:
-    """How many variables drive a chain: n."""
+    """The number n of joint variables of a chain. Mimic joints have no variable of their own."""
     n = 0
     for i in range(chain.shape[0]):
         n = max(n, chain[i]["driver"] + 1)
@@ -39,11 +39,12 @@ def variable_count(chain: Chain) -> int:
 
 @kernel
 def geometric_jacobian(poses: Array, chain: Chain, axes: Array, point: Array, link: int) -> Array:
-    """Geometric Jacobian of a point on a link: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
+    """Geometric Jacobian of a point on a link: column i is [aᵢ × (p − pᵢ); aᵢ], or [aᵢ; 0] if joint i is prismatic.
 
-    Columns of joints after the link are zero. The column of a mimic joint, times its ratio, is added to the column of
-    the joint that it follows. Args: poses (m + 1, 4, 4); chain (m,); axes (m, 3) of `joint_axes`; point (3,), m; link:
-    number of the link that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
+    p is the point, pᵢ a point on the axis aᵢ. Columns of joints after the link are zero. A mimic joint follows another
+    joint with a fixed ratio: its column times this ratio is added to the column of that joint.
+    Args: poses (m + 1, 4, 4), m; chain (m,); axes (m, 3) of `joint_axes`; point (3,), m, world; link: number of the
+    link with the point, 0 for the base. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
     """
     jacobian = np.zeros((6, variable_count(chain)))

@@ -1,4 +1,4 @@
-"""Checks of a URDF, with errors that name the link or joint; parts that the kinematics does not use are ignored."""
+"""Checks of a URDF. Errors name the link or joint. Parts that the kinematics does not use are not checked."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ UNRESOLVED = ("${", "$(")
 XACRO = Text(
     en="it is xacro ({what}); make a URDF of it with xacro", pt_BR="é xacro ({what}); gere um URDF com o xacro"
 )
-# Count and largest absolute value of the numbers of a joint.
+# For each attribute of a joint: how many numbers it must have, and their largest allowed absolute value.
 REQUIRED_NUMBERS = {
     "origin": {"xyz": (3, MOST), "rpy": (3, MOST)},
     "axis": {"xyz": (3, MOST)},
@@ -109,7 +109,7 @@ def check_tree(path: Path, robot: yourdfpy.Robot) -> None:
 
 
 def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> None:
-    """Raise HelicoideError for links whose chain of parents does not end at a root."""
+    """Raise HelicoideError if the links form a cycle. sound: links known to descend from a root; others are added."""
     for name in parents:
         way, on_it = [name], {name}
         while way[-1] not in sound:

@@ -34,9 +34,11 @@ MORE = Text(en="; and {n} more", pt_BR="; e mais {n}")
 
 @dataclass(frozen=True, eq=False)
 class UrdfReading:
-    """The links and joints of a URDF, remarks on omitted parts, and links with undrawn visuals and the reasons.
+    """What was read from a URDF: the robot, and what was changed or left out.
 
-    fixed_by_limits: the joints that are fixed because their lower and upper limits are equal.
+    robot: links and joints; remarks: sentences on omitted links and on joints that became fixed; not_drawn: each link
+    with a visual that is left out, and the reason; fixed_by_limits: names of the joints that became fixed because their
+    lower and upper limits are equal.
     """
 
     robot: yourdfpy.Robot
@@ -70,7 +72,7 @@ def read_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> Ur
 
 
 def parse_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS, meshes: bool = False) -> yourdfpy.URDF:
-    """The URDF with ${name} replaced by parameters (m), with or without its meshes. Raises as `read_urdf`."""
+    """The URDF with ${name} replaced by parameters (m), with or without its meshes. Same errors as `read_urdf`."""
     robot = read_urdf(path, parameters).robot
     if not meshes:
         return yourdfpy.URDF(robot, build_scene_graph=False, load_meshes=False)
@@ -78,9 +80,9 @@ def parse_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS, mesh
 
 
 def undrawn_remark(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> Text | None:
-    """A sentence on links that cannot be drawn, with the reasons; None if all can be drawn. Reads the meshes.
+    """A sentence that lists visuals that cannot be drawn, at most `MAX_LISTED`, with the reasons; None without any.
 
-    Raises as `read_urdf`.
+    Opens the mesh files. Same errors as `read_urdf`.
     """
     reading = read_urdf(path, parameters)
     missing = [*reading.not_drawn, *remove_unreadable_meshes(path, reading.robot)]
@@ -92,7 +94,11 @@ def undrawn_remark(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) 
 
 
 def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
-    """The URDF with its scene and all readable meshes. In `robot`, fixes unusable joints and removes bad meshes."""
+    """The URDF with its scene and all readable meshes.
+
+    Changes `robot`: joints that the scene cannot move become fixed, mimic joints that follow no independent joint
+    become independent, and unreadable meshes are removed.
+    """
     for joint in robot.joints:  # outside the arm there may be joints that the scene cannot handle
         if joint.type not in MOVING or not np.any(joint.axis):
             joint.type, joint.mimic = "fixed", None
@@ -105,13 +111,13 @@ def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
 
 
 def root_of(robot: yourdfpy.Robot) -> str:
-    """The root link, which is no joint's child."""
+    """The name of the root link: the link that is not the child of any joint."""
     children = {joint.child for joint in robot.joints}
     return next(str(link.name) for link in robot.links if link.name not in children)
 
 
 def _without_loose_links(robot: yourdfpy.Robot) -> list[str]:
-    """Remove the links that no joint names, unless there are no others; returns their names."""
+    """Remove the links that no joint connects, and return their names. A robot without joints keeps all links."""
     held = {name for joint in robot.joints for name in (joint.parent, joint.child)}
     loose = [str(link.name) for link in robot.links if link.name not in held] if held else []
     robot.links = [link for link in robot.links if link.name not in loose]

@@ -1,4 +1,4 @@
-"""The source's method to measure an enclosure: from three postures the wrist camera measures one plane each."""
+"""Measuring an enclosure as in Cerbaro 2022: in each of three postures the wrist camera measures one plane."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from helicoide.perception.planes import FoundPlane, find_plane
 from helicoide.state import FittedCloud, State
 from helicoide.text import LANGUAGES, Text
 
-# Noise of a simulated depth camera at half a metre: σ, m, and the share of wrong readings.
+# Simulated depth camera: standard deviation of the depth, m, as at a distance of 0.5 m, and fraction of outliers.
 NOISE, OUTLIERS = 0.002, 0.1
 FOUND = Text(
     en="{title}: {share:.0f} % of {k} points on the plane, rms {rms:.1f} mm, {angle:.1f}° from the axis",
@@ -27,7 +27,7 @@ NOT_FOUND = Text(en="{title}: {why}", pt_BR="{title}: {why}")
 
 @dataclass(frozen=True, eq=False)
 class PlaneReading:
-    """A plane to be measured: the posture, the plane's name and title, and its approximate inward normal, (3,)."""
+    """A plane to be measured, with its name and title. pose: name of the posture; normal: rough inward normal, (3,)."""
 
     pose: str
     name: str
@@ -43,12 +43,12 @@ PLANE_READINGS = (
 
 
 def available_readings(robot: Robot) -> tuple[PlaneReading, ...]:
-    """The planes that an arm can measure, those for which it has a posture. Source: Cerbaro 2022, §6.1."""
+    """The planes that an arm can measure: its file must have the posture for each. Source: Cerbaro 2022, §6.1."""
     return tuple(reading for reading in PLANE_READINGS if reading.pose in robot.poses)
 
 
 def camera_cloud(camera: DepthCamera, state: State) -> PointCloud:
-    """The cloud of a camera in the posture of the state; a simulated camera measures the planes of the robot's file."""
+    """The cloud of a camera in the current posture. A simulated camera sees the planes of the robot's file."""
     if isinstance(camera, SimulatedCamera):
         enclosure = replace(state.problem, planes=planes_of(state.robot.panes))
         state = replace(state, problem=enclosure)
@@ -58,9 +58,9 @@ def camera_cloud(camera: DepthCamera, state: State) -> PointCloud:
 def plane_in_cloud(
     cloud: PointCloud, reading: PlaneReading, inside: Array, seed: int = 0
 ) -> tuple[FittedCloud, PlanePane | None]:
-    """The plane of a reading in a cloud: its display, and its pane, or None if no plane is found.
+    """Find the plane of a reading in a cloud. Returns the cloud for display, and the plane, None if none is found.
 
-    inside (3,), m: a point on the side of the arm.
+    inside (3,), m, world: a point on the same side of the plane as the arm. seed: of the random search.
     """
     found = find_plane(cloud.points, reading.normal, inside, seed=seed)
     if isinstance(found, Text):
@@ -79,7 +79,7 @@ def plane_in_cloud(
 
 
 def _found_in_words(words: Text, cloud: PointCloud) -> Text:
-    """The result, with the notes of the cloud."""
+    """The result of the search in words, followed by the notes of the cloud."""
     if not cloud.notes:
         return words
     sentences = {
@@ -90,7 +90,7 @@ def _found_in_words(words: Text, cloud: PointCloud) -> Text:
 
 
 def _pane(found: FoundPlane, cloud: PointCloud, reading: PlaneReading) -> PlanePane:
-    """A pane as large as the measured part of the plane."""
+    """The plane, drawn as large as its measured part, with sides of at least 0.3 m."""
     spread = np.sort(np.ptp(cloud.points[found.on_plane], axis=0))[1:]
     size = (float(max(spread[1], 0.3)), float(max(spread[0], 0.3)))
     return pane_on_plane(found.plane, reading.name, reading.title, found.centre, size)

@@ -39,10 +39,10 @@ def walk_rows(
     sizes = np.array([np.dtype(column.type).itemsize * column.count for column in columns], dtype=np.int64)
     lengths = np.array([np.dtype(column.length).itemsize if column.length else 0 for column in columns], dtype=np.int64)
     big = any(column.length.startswith(">") for column in columns)
-    wished = np.array([*places, -1, -1, -1][:3], dtype=np.int64)
+    padded = np.array([*places, -1, -1, -1][:3], dtype=np.int64)
     there = np.zeros((0, 3), dtype=np.int64) if begins is None else begins
     ended = walk_rows_kernel(
-        np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, wished, there
+        np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, padded, there
     )
     return int(ended[0]), int(ended[1])
 

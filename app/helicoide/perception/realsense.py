@@ -80,10 +80,10 @@ def connected(camera: Camera = D435, resolution: tuple[int, int] = (848, 480), r
     the camera is missing, or the camera has no such resolution.
     """
     package = _package()
-    pipeline, wished = package.pipeline(), package.config()
-    wished.enable_stream(package.stream.depth, *resolution, package.format.z16, rate)
+    pipeline, config = package.pipeline(), package.config()
+    config.enable_stream(package.stream.depth, *resolution, package.format.z16, rate)
     try:
-        pipeline.start(wished)
+        pipeline.start(config)
     except RuntimeError as error:
         raise HelicoideError(NO_CAMERA.format(w=resolution[0], h=resolution[1], rate=rate)) from error
     try:

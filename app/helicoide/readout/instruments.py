@@ -38,17 +38,6 @@ class Instrument:
     unit: str = ""
 
 
-def target(state: State) -> Array | None:
-    """The target pose of the tool, T_world_target (4, 4), m; None if the command has none."""
-    match state.request.command:
-        case MoveToPose(T):
-            return T
-        case FollowPath(path, s):
-            return frozen(path.pose(s))
-        case _:
-            return None
-
-
 def target_pose(state: State) -> Array:
     """The target pose, T_world_target (4, 4), m; for target joints their tool pose, else the present tool pose."""
     match state.request.command:
@@ -136,11 +125,10 @@ def _length(values: Array) -> float:
 
 
 def errors(state: State) -> tuple[float, float]:
-    """Position error, m, and orientation error, rad, of the tool against its target; 0 if the command has no target."""
-    T = state.T_world_tool
-    T_target = target(state)
-    if T_target is None:
+    """Position error, m, and orientation error, rad, of the tool against its target; 0 without target pose or path."""
+    if not isinstance(state.request.command, MoveToPose | FollowPath):
         return 0.0, 0.0
+    T, T_target = state.T_world_tool, target_pose(state)
     turn = rotation_error(T_target[:3, :3].copy(), T[:3, :3].copy())
     return _length(T_target[:3, 3] - T[:3, 3]), _length(turn)
 

@@ -1,4 +1,7 @@
-"""How the enclosure of chapter 6 was measured: planes in clouds of a camera on the hand, by all points or by three."""
+"""How Cerbaro 2022, chapter 6, measured the enclosure with a depth camera on the hand.
+
+A plane is fitted to all points near it, or taken through three of them as in the source. Both are compared.
+"""
 
 from __future__ import annotations
 
@@ -24,24 +27,27 @@ TITLE = Text(en="Measuring the enclosure", pt_BR="A medição do recinto")
 SOURCE = "Cerbaro 2022, §5.2.6, 6.1, 6.2.1, eqs. 25–30, figs. 44, 46"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="From three postures a depth camera on the hand reads ceiling and walls. A plane is sought whose normal is "
-    "within 4° of a reference, and the source then takes the plane through three random points of those near it. Here "
-    "the scene holds the planes that it prints, and a simulated camera reads them, so that most of what is counted is "
-    "ours. Where its camera sat the source does not say: two places are compared, ours and "
-    "that of its other camera, the T265, which tells how far it has moved itself (odometry).",
-    pt_BR="De três posturas, uma câmera de profundidade na mão lê teto e paredes. Procura-se um plano cuja normal "
-    "fique a até 4° de uma de referência, e a fonte o faz passar depois por três pontos aleatórios dos que estão perto "
-    "dele. Aqui a cena tem os planos que ela imprime, lidos por uma câmera simulada, e por isso quase tudo o que se "
-    "conta é nosso. Onde ficava a câmera a fonte não diz: comparam-se dois lugares, o nosso e o "
-    "da outra câmera da fonte, a T265, que mede o próprio movimento (odometria).",
+    en="In three postures a depth camera on the hand measures the ceiling and two walls. The source searches for a "
+    "plane whose normal is within 4° of a reference normal. It then takes the plane through three random points among "
+    "those near the plane found. Here a simulated camera measures the planes that the source prints; most of the "
+    "numbers are therefore our own. The source does not give the position of its depth camera. Two positions are "
+    "compared: the one that we assume, and that of another camera of the source, the T265, which measures its own "
+    "motion (odometry).",
+    pt_BR="Em três posturas, uma câmera de profundidade na mão mede o teto e duas paredes. A fonte procura um plano "
+    "cuja normal esteja a até 4° de uma normal de referência. Depois adota o plano que passa por três pontos "
+    "aleatórios entre os que estão próximos do plano encontrado. Aqui uma câmera simulada mede os planos impressos na "
+    "fonte; por isso, quase todos os números são nossos. A fonte não informa a posição da sua câmera de profundidade. "
+    "Comparam-se duas posições: a que adotamos e a de uma segunda câmera da fonte, a T265, que mede o próprio "
+    "movimento (odometria).",
 )
-# The camera where the source has the T265, which tells how far it moved: 37.5 mm behind the tool, 62.5 mm above it.
+# The same camera at the position of the T265 of the source: 37.5 mm behind the tool point and 62.5 mm above its axis.
 ON_BRACKET = replace(D435, T_tool_camera=hand_camera_pose(behind=0.0375, above=0.0625))
+# Clouds per wall and camera position in a full and in a short run; triples of points drawn from each cloud.
 CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
 # Largest angles to the reference normal, °, that are tried in the search; a chart shows how many planes each finds.
 TRIED = (2, 3, 4, 5, 6, 8, 10, 15, 20, 25)
 
-# Eqs. 27 to 30: three points, and the coefficients of e₁, e₂, e₃ and e of their plane.
+# The example of eqs. 27 to 30: three points, and the coefficients of their plane for e₁, e₂, e₃ and e.
 POINTS = np.array([(1.0, 2.0, 3.0), (2.0, -2.0, 3.0), (-1.0, 1.0, 0.0)])
 PLANE = np.array([-0.7845, -0.1961, 0.5883, 0.5883])
 ITS_PLANE = Statement(
@@ -55,7 +61,7 @@ ITS_PLANE = Statement(
 
 @dataclass(frozen=True)
 class Options:
-    """Camera values that the source omits."""
+    """Camera parameters that the source does not give."""
 
     noise: Annotated[float, Quantity(Text(en="noise of the depth", pt_BR="ruído da profundidade"), 0.0, 20.0, "mm")] = (
         2.0
@@ -64,7 +70,11 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class CloudReadings:
-    """Measurements of a wall: tilts, °, of fits (k,) and of triples of points; shares of points on the fits, %."""
+    """Planes found in k clouds of one wall. A tilt is the angle to the true wall.
+
+    tilts (k,), °: of the planes fitted to all points; shares (k,), %: points of the cloud on these planes; of_three
+    (t,), °: tilts of all planes through three random points.
+    """
 
     tilts: Array
     shares: Array
@@ -72,7 +82,7 @@ class CloudReadings:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Measure each plane in `CLOUDS` simulated clouds from each place of the camera; short: in `CLOUDS_SHORT`."""
+    """Measure each plane in `CLOUDS` simulated clouds for each camera position; in a short run in `CLOUDS_SHORT`."""
     clouds = CLOUDS_SHORT if short else CLOUDS
     jobs = [(camera, reading) for camera in (D435, ON_BRACKET) for reading in PLANE_READINGS]
     read = []
@@ -88,21 +98,24 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def posed_state(pose: str) -> State:
-    """The arm in a named posture, with the printed planes around it."""
+    """The state of the arm in a named posture, between the planes that the source prints."""
     state = initial_state(load_robot(ROBOT))
     q = state.robot.poses[pose]
     return replace(state, arm=replace(state.arm, q=q, poses=frozen(link_poses(state.robot.chain, q))))
 
 
 def wall_of(reading: PlaneReading) -> PlanePane:
-    """The wall of the scene that a reading measures."""
+    """The wall that a reading measures, as the source prints it."""
     return next(pane for pane in load_robot(ROBOT).panes if pane.name == reading.name)
 
 
 def detected_plane(
     camera: Camera, reading: PlaneReading, noise: float, angle: float, seed: int
 ) -> tuple[Array, FoundPlane | None]:
-    """A cloud of the wall, (k, 3), m, and the plane within an angle, rad, of the reference normal. noise: σ, m."""
+    """Simulate a cloud of a wall and find the plane in it. Returns the points (k, 3), m, and the plane or None.
+
+    noise: standard deviation of the depth, m; angle: largest one between normal and reference normal, rad.
+    """
     state = posed_state(reading.pose)
     points = SimulatedCamera(camera, noise=noise, outliers=OUTLIERS, seed=seed).cloud(state).points
     found = find_plane(points, reading.normal, state.T_world_tool[:3, 3], angle=angle, seed=seed)
@@ -110,14 +123,14 @@ def detected_plane(
 
 
 def tilt(normal: Array, other: Array) -> Array:
-    """Angles, °, between normals (..., 3) and another (3,), regardless of sign."""
+    """Angles, °, from 0 to 90, between unit normals (..., 3) and another one (3,), whatever their signs."""
     return np.asarray(np.degrees(np.arccos(np.minimum(1.0, np.abs(normal @ other)))))
 
 
 def three_point_normals(points: Array, seed: int) -> Array:
-    """Normals, (n, 3), of planes through three random points of a cloud, eqs. 25–26; n ≤ `TRIPLES`.
+    """Unit normals (n, 3) of planes through three random points of a cloud (k, 3), m, eqs. 25–26; n ≤ `TRIPLES`.
 
-    Triples on a line, or with a repeated point, have no plane and are left out.
+    Three points on a line, or with a repeated point, define no plane and are left out.
     """
     triples = points[np.random.default_rng(seed).integers(len(points), size=(TRIPLES, 3))]
     planes = rigid.plane_through(*np.moveaxis(rigid.point(triples), 1, 0))
@@ -136,7 +149,7 @@ def _read(camera: Camera, reading: PlaneReading, noise: float, clouds: int) -> C
 
 
 def _found(noise: float) -> Array:
-    """The number of the three planes found within each search angle, (a,)."""
+    """How many of the three planes are found with each search angle of `TRIED`, (a,). noise: σ of the depth, m."""
     return np.array(
         [
             sum(detected_plane(D435, reading, noise, angle, 0)[1] is not None for reading in PLANE_READINGS)
@@ -146,7 +159,7 @@ def _found(noise: float) -> Array:
 
 
 def eq_25_row() -> Row:
-    """Eqs. 25 and 26 on the example of the source."""
+    """The plane by eqs. 25 and 26, compared with the one printed in the example of the source."""
     normal, offset = rigid.normal_and_offset(rigid.plane_through(*rigid.point(POINTS)))
     quantity = Text(
         en="plane through the three points of eq. 27: largest difference of a coefficient",
@@ -156,7 +169,7 @@ def eq_25_row() -> Row:
 
 
 def _search(found: Array) -> list[Row]:
-    """How the printed planes lie, and how many of three a search finds in a scene that is made of them."""
+    """Rows with the tilt of each plane that the source prints, and the number of planes found within 4° and 10°."""
     printed_tilt = Text(
         en="printed plane, {wall}: tilt from the reference normal",
         pt_BR="plano impresso, {wall}: inclinação em relação à normal de referência",
@@ -203,7 +216,7 @@ TILTED = Text(en="tilt from the wall (°)", pt_BR="inclinação em relação à 
 
 
 def _spread(title: Text, tilts: Array) -> ChartLine:
-    """Tilts in order, over the share that lies below each."""
+    """The percentile curve of tilts, °: the tilt below which 1 %, 2 %, ..., 99 % of them lie."""
     shares = np.linspace(1, 99, 99)
     return ChartLine(title, shares, np.asarray(np.percentile(tilts, shares)))
 
@@ -232,7 +245,7 @@ def _places(here: list[CloudReadings], bracket: list[CloudReadings]) -> Chart:
 
 
 def _tour() -> Motion:
-    """From one reading posture to the next, three seconds each."""
+    """A motion from `ready` through the three reading postures and back, three seconds from each to the next."""
     poses = load_robot(ROBOT).poses
     stops = np.array([poses[name] for name in ("ready", *(reading.pose for reading in PLANE_READINGS), "ready")])
     times = np.linspace(0.0, 3.0 * (len(stops) - 1), 121)

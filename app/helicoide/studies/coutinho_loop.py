@@ -87,10 +87,10 @@ def _approach(options: Options) -> Iterator[RcmStep]:
     target[:3, 3] += [0.012, -0.016, 0.0]
     target[:3, :3] = T[:3, :3] @ rotation.exponential(np.radians(30) * rotation.unit_vector([1.0, 2.0, -1.0]))
     gained = source_control(position=options.position, orientation=options.orientation)
-    wish = RcmReference(target, STILL, np.zeros(2))
+    reference = RcmReference(target, STILL, np.zeros(2))
     entry = entry_on(robot, START, DEPTH)
     problem, start = problem_without_planes(robot), RcmState(START, entry)
-    return rcm_loop(problem, through(robot, LINK), gained, lambda t: wish, start, STEP)
+    return rcm_loop(problem, through(robot, LINK), gained, lambda t: reference, start, STEP)
 
 
 def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:

@@ -130,7 +130,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             )
         )
     names = runs_by_title(ways, slow)
-    wished = path_points(path_10, slow["inverse"].t)
+    desired = path_points(path_10, slow["inverse"].t)
     inverted, title = slow["inverse"], ways["inverse"].title
     charts = (
         over_time(OFF_PATH, "‖e_p‖, cm", names, lambda run: row_norms(run.e[:, :3]), FIGURES, log=True),
@@ -140,7 +140,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         joints_chart(inverted, title, FIGURES),
         fastest_chart(names),
         path_chart(
-            {DESIRED: wished[:, :2], **{name: (wished - one.e[:, :3])[:, :2] for name, one in names.items()}},
+            {DESIRED: desired[:, :2], **{name: (desired - one.e[:, :3])[:, :2] for name, one in names.items()}},
             "x, cm",
             "y, cm",
         ),

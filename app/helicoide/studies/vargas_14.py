@@ -181,8 +181,8 @@ def _back(of: Text, run: MethodRun, printed: bool) -> list[Row]:
 def _charts(runs: Mapping[str, MethodRun]) -> list[Chart]:
     """Both errors of every run, the errors by axes, the way, and the joints of the first."""
     names, first = {NAMES[key]: one for key, one in runs.items()}, next(iter(runs))
-    one, wished = runs[first], path_points(path_11, runs[first].t)
-    ways = {name: (wished - 10 * run.e[:, :3])[:, ::2] for name, run in names.items()}
+    one, desired = runs[first], path_points(path_11, runs[first].t)
+    ways = {name: (desired - 10 * run.e[:, :3])[:, ::2] for name, run in names.items()}
     position = Text(en="error of position", pt_BR="erro de posição")
     turn = Text(en="error of orientation", pt_BR="erro de orientação")
     by_axis = Text(en="error of position along {axis}", pt_BR="erro de posição em {axis}")
@@ -191,7 +191,7 @@ def _charts(runs: Mapping[str, MethodRun]) -> list[Chart]:
         over_time(turn, "‖Δε‖", names, lambda run: row_norms(run.e[:, 3:]), PLACE),
         over_time(by_axis.format(axis="x"), "e_x, cm", names, lambda run: 10 * run.e[:, 0], PLACE),
         over_time(by_axis.format(axis="z"), "e_z, cm", names, lambda run: 10 * run.e[:, 2], PLACE),
-        path_chart({DESIRED: wished[:, ::2], **ways}, "x, cm", "z, cm"),
+        path_chart({DESIRED: desired[:, ::2], **ways}, "x, cm", "z, cm"),
         joint_velocity_chart(one, NAMES[first], PLACE),
         joints_chart(one, NAMES[first]),
         fastest_chart(names),

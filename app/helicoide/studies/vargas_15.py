@@ -95,7 +95,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         for name, one in names.items()
     ]
     limited_ones, kept = {name: names[name] for name in names if name is not FREE}, symbol_value("ζ", ZETAS[0])
-    wished = path_points(path_1, runs[None].t)[:, :2]
+    desired = path_points(path_1, runs[None].t)[:, :2]
     charts = (
         over_time(Text(en="the elbow", pt_BR="o cotovelo"), "q₂, rad", names, lambda run: run.q[:, 1], PLACE),
         errors_chart(names, "ℓ", PLACE, log=True),
@@ -103,7 +103,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         joints_chart(names[kept], kept, PLACE),
         joint_velocity_chart(names[kept], kept, PLACE),
         path_chart(
-            {DESIRED: wished, **{name: tool_points(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"
+            {DESIRED: desired, **{name: tool_points(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"
         ),
         fastest_chart(names),
     )

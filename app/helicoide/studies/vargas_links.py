@@ -109,12 +109,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         run_row(ERROR_LATER, names[NEAR, 8], largest_absolute(runs[NEAR, 8].error_norm, runs[NEAR, 8].t >= SINCE), "ℓ")
     )
     first, shown = next(iter(seen)), {name: runs[key] for key, name in seen.items()}
-    wished = path_points(path_5, runs[first].t)[:, :2]
+    desired = path_points(path_5, runs[first].t)[:, :2]
     charts = (
         errors_chart(shown, "ℓ", PLACE, log=True),
         cost_chart(shown, PLACE),
         path_chart(
-            {DESIRED: wished, **{name: tool_points(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE
+            {DESIRED: desired, **{name: tool_points(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE
         ),
         joints_chart(runs[first], names[first], PLACE),
         joint_velocity_chart(runs[first], names[first], PLACE),

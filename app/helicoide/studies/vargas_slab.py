@@ -77,7 +77,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     runs = run_each({key: partial(slab_run, *key, options.gain, dt, seconds) for key in CASES}, progress)
     names = {key: with_decimal_comma(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}
     titled = {names[key]: one for key, one in runs.items()}
-    kept, wished = runs[USUAL], path_points(path_1, runs[USUAL].t)[:, :2]
+    kept, desired = runs[USUAL], path_points(path_1, runs[USUAL].t)[:, :2]
     farthest = Text(en="largest |y|", pt_BR="maior |y|")
     rows = [
         run_row(farthest, name, largest_absolute(tool_points(one, path_1)[:, 1]), "ℓ") for name, one in titled.items()
@@ -92,7 +92,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     charts = (
         over_time(across, "y, ℓ", titled, lambda run: tool_points(run, path_1)[:, 1]),
         path_chart(
-            {DESIRED: wished, **{name: tool_points(one, path_1) for name, one in titled.items()}}, "x, ℓ", "y, ℓ"
+            {DESIRED: desired, **{name: tool_points(one, path_1) for name, one in titled.items()}}, "x, ℓ", "y, ℓ"
         ),
         cost_chart({names[key]: one for key, one in runs.items() if key[0]}, ""),
         joint_velocity_chart(kept, names[USUAL]),

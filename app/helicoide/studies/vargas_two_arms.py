@@ -117,7 +117,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         half = Text(en="least distance changes with half the step by", pt_BR="menor distância muda com meio passo em")
         rows.append(run_row(half, None, 100 * abs(near[ALPHA, dt / 2] / near[ALPHA, dt] - 1), "%"))
     kept = symbol_value("α", ALPHA)
-    wished = path_points(path_1, names[kept].t)[:, :2]
+    desired = path_points(path_1, names[kept].t)[:, :2]
     apart = Text(en="distance between the arms", pt_BR="distância entre os braços")
     charts = (
         Chart(
@@ -129,7 +129,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         cost_chart(names, "fig. 4.44"),
         errors_chart(names, "ℓ"),
         path_chart(
-            {DESIRED: wished, **{name: tool_points(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"
+            {DESIRED: desired, **{name: tool_points(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"
         ),
         joints_chart(names[kept], kept),
         joint_velocity_chart(names[kept], kept),

@@ -44,7 +44,7 @@ class Scene:
     """The part of the scene that is the same in every window."""
 
     def __init__(self, scene: viser.SceneApi, robot: Robot, shapes: list[Shape]) -> None:
-        stage = Stage(scene, robot, shapes, lambda wish: None, "")
+        stage = Stage(scene, robot, shapes, lambda request: None, "")
         side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
         scene.add_grid(
             "/ground", width=side, height=side, cell_size=cell, section_size=5 * cell, position=(0, 0, robot.floor)

@@ -72,9 +72,9 @@ class Bounds:
 def prepared(dh: dict, start: Numbers, targets: Numbers, links: list[int], **given) -> Turn:
     arm, dt = arm_of(dh), given["dt"]
     controller, bounds = controller_of(arm, given["gain"], given["damping"], dt), Bounds(arm, dh, links, given)
-    q, wished = np.array(start), [vec8(pose(np.array(T))) for T in targets]
-    if wished[0] @ vec8(arm.fkm(q)) < 0:
-        wished = [-x for x in wished]
+    q, desired = np.array(start), [vec8(pose(np.array(T))) for T in targets]
+    if desired[0] @ vec8(arm.fkm(q)) < 0:
+        desired = [-x for x in desired]
 
     def begin() -> None:
         nonlocal q
@@ -84,7 +84,7 @@ def prepared(dh: dict, start: Numbers, targets: Numbers, links: list[int], **giv
         nonlocal q
         bounds.update(q)
         controller.set_inequality_constraint(bounds.A, bounds.b)
-        q = q + dt * controller.compute_setpoint_control_signal(q, wished[k])
+        q = q + dt * controller.compute_setpoint_control_signal(q, desired[k])
         return q
 
     return following(begin, step)

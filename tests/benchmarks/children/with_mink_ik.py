@@ -55,11 +55,11 @@ def prepared(urdf: str, start: Numbers, targets: Numbers, links: list[int], poin
     dampers = [Dampers(links, points, given)] if given["normals"] else []
     limits = [ConfigurationLimit(model, gain=1.0), VelocityLimit(model, speeds), *dampers]
     task = FrameTask("tool", "site", position_cost=1.0, orientation_cost=1.0, gain=given["gain"])
-    wished, dt, damping = [SE3.from_matrix(np.array(T)) for T in targets], given["dt"], given["damping"]
+    desired, dt, damping = [SE3.from_matrix(np.array(T)) for T in targets], given["dt"], given["damping"]
     configuration = Configuration(model, np.array(start))
 
     def step(k: int) -> np.ndarray:
-        task.set_target(wished[k])
+        task.set_target(desired[k])
         v = solve_ik(configuration, [task], dt, "daqp", damping, limits=limits)
         configuration.integrate_inplace(v, dt)
         return configuration.q.copy()

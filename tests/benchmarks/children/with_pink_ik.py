@@ -37,11 +37,11 @@ def prepared(urdf: str, start: Numbers, targets: Numbers, links: list[int], poin
     dampers = [Dampers(model, links, points, given)] if given["normals"] else []
     limits = [ConfigurationLimit(model, config_limit_gain=1.0), VelocityLimit(model), *dampers]
     task = FrameTask("tool", position_cost=1.0, orientation_cost=1.0, gain=given["gain"])
-    wished, dt, damping = [pinocchio.SE3(np.array(T)) for T in targets], given["dt"], given["damping"]
+    desired, dt, damping = [pinocchio.SE3(np.array(T)) for T in targets], given["dt"], given["damping"]
     configuration = Configuration(model, model.createData(), np.array(start))
 
     def step(k: int) -> np.ndarray:
-        task.set_target(wished[k])
+        task.set_target(desired[k])
         v = solve_ik(configuration, [task], dt, "daqp", damping, limits, safety_break=False)
         configuration.integrate_inplace(v, dt)
         return configuration.q

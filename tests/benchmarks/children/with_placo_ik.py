@@ -66,8 +66,8 @@ class Dampers:
 def prepared(urdf: str, start: Numbers, targets: Numbers, links: list[int], points: Numbers, **given) -> Turn:
     robot = read(urdf_with_points(urdf, links, points))
     solver = solver_of(robot, given["damping"], given["dt"])
-    wished, gain = [np.array(T) for T in targets], given["gain"]
-    task = solver.add_frame_task("tool", wished[0])
+    desired, gain = [np.array(T) for T in targets], given["gain"]
+    task = solver.add_frame_task("tool", desired[0])
     task.configure("tool", "soft", 1.0, 1.0)
     dampers = Dampers(robot, solver, given) if given["normals"] else None
 
@@ -77,7 +77,7 @@ def prepared(urdf: str, start: Numbers, targets: Numbers, links: list[int], poin
         robot.update_kinematics()
 
     def step(k: int) -> np.ndarray:
-        task.T_world_frame = placo.interpolate_frames(robot.get_T_world_frame("tool"), wished[k], gain)
+        task.T_world_frame = placo.interpolate_frames(robot.get_T_world_frame("tool"), desired[k], gain)
         if dampers is not None:
             dampers.update()
         solver.solve(True)

@@ -123,10 +123,10 @@ def still(T: Array, r: int = 2, entry_rate: Array | None = None) -> Callable[[fl
 
 
 def loop(
-    control: RcmControl, wished: Callable[[float], RcmReference], entry: Array, dt: float = 0.002
+    control: RcmControl, reference: Callable[[float], RcmReference], entry: Array, dt: float = 0.002
 ) -> Iterator[RcmStep]:
     start = RcmState(START, entry)
-    return rcm_loop(problem_without_planes(dia10()), through(dia10(), LINK), control, wished, start, dt)
+    return rcm_loop(problem_without_planes(dia10()), through(dia10(), LINK), control, reference, start, dt)
 
 
 def at_step(moments: Iterator[RcmStep], step: int) -> RcmStep:
@@ -196,7 +196,7 @@ def test_any_method_may_invert_it(name: str, across: Array, basis) -> None:
     passage = through(dia10(), LINK, across)
     target = tool_at(dia10(), START)
     target[:3, 3] += [0.002, -0.003, 0.002]
-    wished = still(target, passage.r, np.full(passage.r, 1e-4))
+    reference = still(target, passage.r, np.full(passage.r, 1e-4))
     chosen = ConfiguredMethod(method, method.Options())
     entry = entry_on(dia10(), START, 0.15)
     at = constrained(problem_without_planes(dia10()), passage, START, entry, basis)
@@ -205,7 +205,7 @@ def test_any_method_may_invert_it(name: str, across: Array, basis) -> None:
         return
     control = RcmControl(of_tool=chosen, basis=basis, entry=5.0)
     start = RcmState(START, entry)
-    moments = list(islice(rcm_loop(problem_without_planes(dia10()), passage, control, wished, start, 0.01), 100))
+    moments = list(islice(rcm_loop(problem_without_planes(dia10()), passage, control, reference, start, 0.01), 100))
     assert max(np.abs(one.entry_slip).max() for one in moments) < 1e-13
     assert np.linalg.norm(moments[-1].error[:3]) < np.linalg.norm(moments[0].error[:3])
 
@@ -213,9 +213,9 @@ def test_any_method_may_invert_it(name: str, across: Array, basis) -> None:
 def test_what_a_method_remembers_is_carried_along() -> None:
     """The filtered inverse starts once, and each step begins with the memory that the last one left."""
     filtered = configured_method("filtered_modified")
-    wished = still(tool_at(dia10(), START) @ pose(rotation.exponential([0.0, 0.1, 0.0])))
+    reference = still(tool_at(dia10(), START) @ pose(rotation.exponential([0.0, 0.1, 0.0])))
     control = RcmControl(of_tool=filtered, of_arm=filtered)
-    moments = list(islice(loop(control, wished, entry_on(dia10(), START, 0.15)), 3))
+    moments = list(islice(loop(control, reference, entry_on(dia10(), START, 0.15)), 3))
     problem = problem_without_planes(dia10())
     memory = None
     for one in moments:

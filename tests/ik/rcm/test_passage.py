@@ -89,9 +89,9 @@ def test_seven_joints_are_refused_in_words() -> None:
     assert "7 juntas" in said.pt_BR
     assert "n − r = 5" in said.pt_BR
     q = START[:7]
-    wished = PATHS["S2"].task(tool_at(robot, q))
+    reference = PATHS["S2"].task(tool_at(robot, q))
     steps = rcm_loop(
-        problem_without_planes(robot), passage, RcmControl(), wished, RcmState(q, entry_on(robot, q, 0.15)), 0.02
+        problem_without_planes(robot), passage, RcmControl(), reference, RcmState(q, entry_on(robot, q, 0.15)), 0.02
     )
     with pytest.raises(HelicoideError, match="at least 8 joints"):
         next(steps)

@@ -17,14 +17,14 @@ from helicoide.trajectory import Path
 
 @pytest.mark.parametrize("name", PATHS)
 def test_velocities_are_derivatives(name: str) -> None:
-    wished = PATHS[name].task(tool_at(dia10(), START))
+    reference = PATHS[name].task(tool_at(dia10(), START))
 
     def pose(t: Array) -> Array:
-        return wished(float(t[0])).T_world_target
+        return reference(float(t[0])).T_world_target
 
     for t in np.linspace(0, PATHS[name].duration, 23):
         expected = twist_by_differences(pose, np.array([t]))[:, 0]
-        np.testing.assert_allclose(wished(t).feedforward, expected, atol=1e-12)
+        np.testing.assert_allclose(reference(t).feedforward, expected, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", PATHS)
@@ -35,8 +35,8 @@ def test_they_start_at_the_tool(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["S1", "S2", "S3", "S4"])
 def test_simulations_take_one_period(name: str) -> None:
-    wished, duration = PATHS[name].task(tool_at(dia10(), START)), PATHS[name].duration
-    np.testing.assert_allclose(wished(duration).T_world_target, wished(0.0).T_world_target, atol=1e-15)
+    reference, duration = PATHS[name].task(tool_at(dia10(), START)), PATHS[name].duration
+    np.testing.assert_allclose(reference(duration).T_world_target, reference(0.0).T_world_target, atol=1e-15)
     assert duration == 200.0
 
 

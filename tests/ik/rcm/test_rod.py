@@ -46,8 +46,8 @@ def test_errors_are_those_that_are_displayed() -> None:
     """The lateral rows of e have the length |d × (p_rcm − o)|, whatever the depth."""
     robot, (T, entry, d) = rod_arm(), scene()
     beside = entry + np.array([0.002, -0.001, 0.003])
-    wish = rod.TipTask(T[:3, 3], np.zeros(3), beside, np.zeros(2))
-    aim = rod.aim(problem_without_planes(robot, 2.0), through(robot, 7), START, wish)
+    reference = rod.TipTask(T[:3, 3], np.zeros(3), beside, np.zeros(2))
+    aim = rod.aim(problem_without_planes(robot, 2.0), through(robot, 7), START, reference)
     assert 2.0 * np.linalg.norm(aim.error[3:]) == pytest.approx(lateral_distance(d, T[:3, 3], beside), rel=1e-9)
     np.testing.assert_allclose(aim.error[:3], 0.0, atol=1e-12)
     assert depth(d, T[:3, 3], entry) == pytest.approx(0.15, abs=1e-12)
@@ -75,8 +75,8 @@ def elbow() -> Array:
 
 def test_an_entry_point_that_moves_is_asked_for() -> None:
     robot, (T, entry, _) = rod_arm(), scene()
-    wish = rod.TipTask(T[:3, 3], np.array([0.01, 0.0, 0.02]), entry, np.array([0.004, -0.003]))
-    aim = rod.aim(problem_without_planes(robot, 0.5), through(robot, 7), START, wish)
+    reference = rod.TipTask(T[:3, 3], np.array([0.01, 0.0, 0.02]), entry, np.array([0.004, -0.003]))
+    aim = rod.aim(problem_without_planes(robot, 0.5), through(robot, 7), START, reference)
     np.testing.assert_allclose(0.5 * aim.feedforward, [0.01, 0.0, 0.02, 0.004, -0.003], atol=1e-15)
 
 
@@ -89,8 +89,8 @@ def test_any_arm_with_five_joints_may_hold_a_rod(name: str) -> None:
     q = robot.poses["ready"]
     T = link_poses(robot.chain, q)[-1] @ passage.T_link_shaft
     tip = tool_at(robot, q)[:3, 3]
-    wish = rod.TipTask(tip, np.zeros(3), T[:3, 3] + 0.5 * passage.length * T[:3, 1], np.zeros(2))
-    aim = rod.to_points(problem_without_planes(robot), passage, lambda t: wish)(q, 0.0)
+    reference = rod.TipTask(tip, np.zeros(3), T[:3, 3] + 0.5 * passage.length * T[:3, 1], np.zeros(2))
+    aim = rod.to_points(problem_without_planes(robot), passage, lambda t: reference)(q, 0.0)
     assert aim.J.shape == (5, len(robot.variables))
     np.testing.assert_allclose(aim.error, 0.0, atol=1e-12)
 

@@ -45,14 +45,14 @@ def with_entry(task: Task, begins: Indices, rows: Array, displacement: Array) ->
     levels[0] = 2
     for k in range(begins.shape[0]):
         levels[k + 1] = begins[k] + 2
-    stacked, wished, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
+    stacked, desired, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
     for i in range(r + 2):
-        wished[i] = displacement[i] if i < 2 else v[i - 2]
+        desired[i] = displacement[i] if i < 2 else v[i - 2]
         for k in range(J.shape[1]):
             stacked[i, k] = rows[i, k] if i < 2 else J[i - 2, k]
         if i >= 2:
             firm[i] = weights[i - 2]
-    return (stacked, wished, firm, damping), levels
+    return (stacked, desired, firm, damping), levels
 
 
 @kernel

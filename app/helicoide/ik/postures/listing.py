@@ -118,8 +118,8 @@ def list_into(table: Array, found: Array, T_asked: Array, solved: Array, now: Ar
     """
     n, k, ordered = rows.shape[1] - 7, found.shape[0], now.shape[0] > 0
     arm, joints = table[: table.shape[0] - n], table[table.shape[0] - n :]
-    wished, goal = stand_of(T_asked), stand_of(solved)
-    as_asked = wished == goal
+    target, goal = stand_of(T_asked), stand_of(solved)
+    as_asked = target == goal
     turns = arm[arm.shape[0] - 1, TURN]
     for i in range(k):
         row = rows[i]
@@ -132,7 +132,7 @@ def list_into(table: Array, found: Array, T_asked: Array, solved: Array, now: Ar
                 cost += joints[j, WEIGHT] * abs(way)
                 x = now[j] + way if keeps(joints[j], now[j] + way) else x
             row[j] = x
-        missed, turned = remains(arm, row, wished)
+        missed, turned = remains(arm, row, target)
         said[MISSED], said[TURNED], said[WITHIN], said[NUMBER] = missed, turns * turned, within, i
         if not as_asked:
             missed, turned = remains(arm, row, goal)

@@ -149,10 +149,10 @@ def rcm_loop(
     t, q, entry_world, memory = 0.0, start.q, start.entry_world, start.memory
     while True:
         at = constrained(problem, passage, q, entry_world, control.basis)
-        wish = task_at(t)
-        error = pose_error(wish.T_world_target, at.T_world_tool)
-        asked, nu, tool, arm, rates, memory = loop_pass(at, control, wish, error, dt, memory)
+        reference = task_at(t)
+        error = pose_error(reference.T_world_target, at.T_world_tool)
+        asked, nu, tool, arm, rates, memory = loop_pass(at, control, reference, error, dt, memory)
         yield RcmStep(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)
         q = q + rates * dt
-        entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ wish.entry_rate) * dt
+        entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ reference.entry_rate) * dt
         t += dt

@@ -50,8 +50,8 @@ def tip_task(problem: Problem, entry: EntryPoint, q: Array, target: ToolTarget, 
 
     Args: q (n,), rad or m; dt, s.
     """
-    wish = TipTask(target.T_world_target[:3, 3], target.ahead, entry.point, np.zeros(2))
-    aim = rod.aim(problem, passage_of(problem.robot, entry), q, wish)
+    reference = TipTask(target.T_world_target[:3, 3], target.ahead, entry.point, np.zeros(2))
+    aim = rod.aim(problem, passage_of(problem.robot, entry), q, reference)
     nu = reference_velocity(replace(aim, error=aim.error[:3], feedforward=aim.feedforward[:3]), gains)
     return Task(q, aim.J, np.concatenate([nu, GAIN * aim.error[3:]]), dt)
 
@@ -63,8 +63,8 @@ def tool_velocity(at: Constrained, target: ToolTarget, gains: Gains) -> Array:
     """
     R, length = at.T_world_tool[:3, :3], at.problem.length
     error = pose_error(target.T_world_target, at.T_world_tool)
-    wished = np.concatenate([(R @ error[:3]) / length, 2.0 * error[3:]])
-    nu = reference_velocity(TaskError(np.empty((6, 0)), wished, np.append(target.ahead / length, np.zeros(3))), gains)
+    scaled = np.concatenate([(R @ error[:3]) / length, 2.0 * error[3:]])
+    nu = reference_velocity(TaskError(np.empty((6, 0)), scaled, np.append(target.ahead / length, np.zeros(3))), gains)
     return np.concatenate([R.T @ nu[:3] * length - np.cross(nu[3:], error[:3]), nu[3:]])
 
 

@@ -160,9 +160,9 @@ def run_constrained(path: Ellipse, k0: float, seconds: float, progress: Progress
         q.append(state.arm.q)
         near.append(moving_point_distances(state.problem, state.arm.q.copy()))
         progress((step + 1) / turn)
-    wished, tool = np.array(points), np.array([setups.tool_position(state.problem, one) for one in q])
-    errors = np.linalg.norm(tool - wished, axis=1)
-    return ConfinedRun(wished, wished, np.array(q), tool, np.array(near), errors, np.zeros(turn), np.full(5, k0))
+    desired, tool = np.array(points), np.array([setups.tool_position(state.problem, one) for one in q])
+    errors = np.linalg.norm(tool - desired, axis=1)
+    return ConfinedRun(desired, desired, np.array(q), tool, np.array(near), errors, np.zeros(turn), np.full(5, k0))
 
 
 def _on_the_path(path: Ellipse, k0: float) -> State:

@@ -80,14 +80,14 @@ def decay_result(
     ]
     rated = Text(en="{of}, {rate}", pt_BR="{of}, {rate}")
     shown = {rated.format(of=one.title, rate=symbol_value("λ", rate)): run for (one, rate), run in runs.items()}
-    wished = path_points(path_1, runs[by, 2.0].t)[:, :2]
-    ways = {name: wished - run.e[:, :2] for name, run in shown.items()}
+    desired = path_points(path_1, runs[by, 2.0].t)[:, :2]
+    ways = {name: desired - run.e[:, :2] for name, run in shown.items()}
     inverted, filtered = runs[by, 2.0], runs[soft, 2.0]
     charts = (
         errors_chart(shown, "ℓ", figures, log=True),
         joint_velocity_chart(inverted, by.title, figures),
         joints_chart(inverted, by.title, figures),
         joint_velocity_chart(filtered, soft.title),
-        path_chart({DESIRED: wished, **ways}, "x, ℓ", "y, ℓ"),
+        path_chart({DESIRED: desired, **ways}, "x, ℓ", "y, ℓ"),
     )
     return study_result(rows, charts, planar_motions(shown))

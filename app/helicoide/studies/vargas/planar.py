@@ -188,7 +188,7 @@ def planar_result(
     figures: where the source shows them.
     """
     names = runs_by_title(ways, runs)
-    wished = path_points(path, next(iter(runs.values())).t)[:, :2]
+    desired = path_points(path, next(iter(runs.values())).t)[:, :2]
     damped, fed_back = (ways[key].title for key in COMPARED)
     charts = (
         errors_chart(names, "ℓ", figures, log=True),
@@ -198,7 +198,7 @@ def planar_result(
         condition_chart({ways[key].title: runs[key] for key in COMPARED}, figures),
         figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", {damped: runs["damping"]}, "ℓ²", figures),
         *more,
-        path_chart({DESIRED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
+        path_chart({DESIRED: desired, **{name: desired - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
         joints_chart(runs["damping"], damped),
     )
     return study_result(rows, charts[:8], planar_motions(names))
@@ -210,12 +210,12 @@ def ellipse_chart(path: PathFunction, run: MethodRun, instants: Sequence[float],
     Source: Vargas 2013, eq. 3.4: axes uᵢ, semi-lengths σᵢ.
     """
     turn: Array = np.linspace(0, 2 * np.pi, 121)
-    wished, lines = path_points(path, run.t)[:, :2], []
+    desired, lines = path_points(path, run.t)[:, :2], []
     for at in instants:
         i = int(np.abs(run.t - at).argmin())
         here = analyse_jacobian(run.J[i]).velocity_ellipsoid
         round_it = (here.axes * here.lengths) @ np.stack([np.cos(turn), np.sin(turn)])
-        x, y = (wished[i] - run.e[i])[:, None] + size * round_it
+        x, y = (desired[i] - run.e[i])[:, None] + size * round_it
         lines.append(ChartLine(with_decimal_comma(f"t = {at:g} s"), x, y))
     title = Text(en="manipulability ellipses on the way", pt_BR="elipses de manipulabilidade no percurso")
     return Chart(title, untranslated("x, ℓ"), untranslated("y, ℓ"), tuple(lines), "fig. 3.1")

@@ -83,15 +83,15 @@ def position_result(
     names, plane, place = runs_by_title(ways, runs), drawing.plane, drawing.figure
     filtered = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("filtered")}
     damped = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("damped")}
-    wished = path_points(drawing.path, next(iter(runs.values())).t)
-    drawn = {name: (wished - run.e)[:, plane] for name, run in names.items()}
+    desired = path_points(drawing.path, next(iter(runs.values())).t)
+    drawn = {name: (desired - run.e)[:, plane] for name, run in names.items()}
     across, up = (f"{'xyz'[axis]}, cm" for axis in plane)
     charts = [
         errors_chart(names, "cm", place, log=True),
         *(joint_velocity_chart(runs[key], ways[key].title, place) for key in shown),
         figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered, "", place),
         *([figures_chart(DAMPED_TITLE, "δ", damped, "cm²", place)] if damped else []),
-        path_chart({DESIRED: wished[:, plane], **drawn}, across, up, drawing.path_figure),
+        path_chart({DESIRED: desired[:, plane], **drawn}, across, up, drawing.path_figure),
         w_chart(names, "cm³", place),
         joints_chart(runs[shown[0]], ways[shown[0]].title, place),
         fastest_chart(names),
@@ -141,8 +141,8 @@ def elbow_frequency(run: MethodRun) -> float:
 def border_distance(run: MethodRun) -> float:
     """The largest distance, cm, from the border point nearest to trajectory 8, while the trajectory is outside."""
     outside = (run.t > 11.6) & (run.t < 13.6)
-    wished = path_points(path_8, run.t[outside])
-    return float(row_norms(effector_positions(run)[outside] - REACH * wished / row_norms(wished)[:, None]).max())
+    desired = path_points(path_8, run.t[outside])
+    return float(row_norms(effector_positions(run)[outside] - REACH * desired / row_norms(desired)[:, None]).max())
 
 
 def errors_after_return(run: MethodRun) -> tuple[float, float, float]:

@@ -67,11 +67,11 @@ class Target:
 
     def _line(self, state: State) -> None:
         """Draw the line from the tool to the target."""
-        wished = _shown_pose(state)[:3, 3]
+        target = _shown_pose(state)[:3, 3]
         tool = state.T_world_tool[:3, 3]
-        away = dist(wished, tool) > SHORT
+        away = dist(target, tool) > SHORT
         if away:
-            self.line.points = np.array([[tool, wished]], dtype=np.float32)
+            self.line.points = np.array([[tool, target]], dtype=np.float32)
             colour = FAR if state.request.goal is not None and state.request.goal.position_error > SHORT else NEAR
             self.line.colors = np.array(colour, dtype=np.uint8)
         if away != self.line.visible:

@@ -9,11 +9,15 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
+import pytest
 from tests.pages import Hand
 
 from helicoide.kinematics.library import load_robot
 from helicoide.session.lab import Lab
 from helicoide.state import State
+from helicoide.view import link
+
+SLOW = 60.0  # s
 
 
 def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
@@ -29,14 +33,16 @@ def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
 
 @contextmanager
 def running(robot: str = "movemaster") -> Iterator[Lab]:
-    """A lab whose arms live."""
+    """A lab whose arms live. It takes actions up to `SLOW` seconds old, since a slow machine needs more than one."""
     lab = Lab(load_robot(robot), None, None)
-    lab.open("127.0.0.1", 0)
-    try:
-        assert eventually(lambda: lab.ready, 300)
-        yield lab
-    finally:
-        lab.close()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(link, "FRESH", SLOW)
+        lab.open("127.0.0.1", 0)
+        try:
+            assert eventually(lambda: lab.ready, 300)
+            yield lab
+        finally:
+            lab.close()
 
 
 def window(lab: Lab, **options: object) -> Hand:

@@ -8,7 +8,7 @@ from operator import attrgetter
 
 import pytest
 from tests.pages import Hand
-from tests.session.labs import after_ticks, eventually, running, state, window
+from tests.session.labs import SLOW, after_ticks, eventually, running, state, window
 
 from helicoide.command import HoldPosition
 from helicoide.session.lab import Lab
@@ -141,8 +141,8 @@ def test_what_was_made_after_the_stop_was_known_counts(lab: Lab, one: Hand, othe
 
 
 @pytest.mark.parametrize("asked", ASKED)
-def test_what_is_older_than_a_second_does_nothing_and_is_told(lab: Lab, one: Hand, asked: str) -> None:
-    before, one.page.old = state(lab), 1100.0
+def test_what_is_too_old_does_nothing_and_is_told(lab: Lab, one: Hand, asked: str) -> None:
+    before, one.page.old = state(lab), 1000 * SLOW + 100.0
     for _ in range(3):
         ASKED[asked](one)
     assert eventually(lambda: bool(one.page.told))

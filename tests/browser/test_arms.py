@@ -38,6 +38,7 @@ def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
     page.get_by_label("Arm", exact=True).click()
     page.get_by_role("option", name=robot_titles()[name].en, exact=True).click()
     until(page, lambda: lab.state.robot.name == name)
+    lab.furnished(page)
     until(page, lambda: all(page.evaluate("(n) => !!window.__viserMutable.nodeRefFromName[n]", n) for n in nodes(lab)))
     page.wait_for_timeout(1000)
     return lab.state
@@ -173,3 +174,4 @@ def test_an_arm_that_is_not_there_is_refused_in_words(lab: Lab, page: Page) -> N
 def change(lab: Lab, page: Page, name: str) -> None:
     lab.change(name)
     until(page, lambda: lab.state.robot.name == name)
+    lab.furnished(page)

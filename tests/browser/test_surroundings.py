@@ -24,6 +24,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
 def change(lab: Lab, page: Page, name: str) -> None:
     lab.change(name)
     until(page, lambda: lab.state.robot.name == name)
+    lab.furnished(page)
     page.wait_for_timeout(1000)
 
 

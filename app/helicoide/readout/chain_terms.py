@@ -94,15 +94,15 @@ def _shifted(T: Array, by: Array) -> Array:
     return shifted
 
 
-def chain_terms(chain: Chain, index: int) -> ChainTerms:
-    """The coefficient of the blade with this index as a sum over the joints' cosines and sines.
+def chain_terms(chain: Chain, place: int) -> ChainTerms:
+    """The coefficient of one blade, before the sign of the chain, as a sum over the joints' cosines and sines.
 
     e^{θℓ/2} = cos(θ/2) + sin(θ/2) ℓ for each joint that turns, 1 + ½ x s e for one that slides. The product has a term
     for each choice of the first or second summand, Π cos · Π sin · ⟨ℓᵢ ℓⱼ … M₀⟩, whose sum is the coefficient.
-    index: of the blade in `CL031`. Source: Cerbaro 2022, eqs. 96–99, multiplied out.
+    place: of the blade in `CL031`. Source: Cerbaro 2022, eqs. 96–99, multiplied out.
     """
     together = max(0, len(chain.values) - MOST_EXPANDED)
-    products = replace(chain, values=chain.values[:together], at_zero=CL031.blade("1")).motor[None]
+    products = replace(chain, values=chain.values[:together], at_zero=CL031.blade("1"), sign=1.0).motor[None]
     weights, chosen = np.ones(1), np.zeros((1, 0), dtype=bool)
     for joint, value in list(zip(chain.robot.joints, chain.values, strict=False))[together:]:
         first, second = (1.0, float(value) / 2) if joint.is_prismatic else (np.cos(value / 2), np.sin(value / 2))
@@ -114,7 +114,7 @@ def chain_terms(chain: Chain, index: int) -> ChainTerms:
         products = np.concatenate([products, CL031.product(products, bivector)])
         weights = np.concatenate([weights * first, weights * second])
         chosen = np.block([[chosen, np.zeros((len(chosen), 1), bool)], [chosen, np.ones((len(chosen), 1), bool)]])
-    constants = CL031.product(products, chain.at_zero)[:, index]
+    constants = CL031.product(products, chain.at_zero)[:, place]
     values = weights * constants
     kept = np.flatnonzero(np.abs(values) > NOISE * np.abs(values).sum())
     order = kept[np.argsort(-np.abs(values[kept]), kind="stable")]

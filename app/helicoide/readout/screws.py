@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.confinement.planes import pane_axes
-from helicoide.geometry import motor, rotation
+from helicoide.geometry import motor
 from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.kinematics.chain import joint_positions
 from helicoide.readout.elements import Element
@@ -29,7 +30,7 @@ class DrawnScrew:
     screw: ScrewDisplacement
     start: Array
 
-    @property
+    @cached_property
     def centre(self) -> Array:
         """The point of the axis nearest to the start, (3,), m; for a translation, the start itself."""
         if self.screw.angle == 0:
@@ -38,11 +39,13 @@ class DrawnScrew:
         return np.asarray(self.screw.point + along * self.screw.direction)
 
     def at(self, turned: Array, slid: Array) -> Array:
-        """The start after fractions (k,) of the rotation and of the translation, (k, 3), m."""
-        turn = rotation.from_rotation_vector((turned * self.screw.angle)[:, None] * self.screw.direction)
-        arm = self.start - self.centre
-        moved = (slid * self.screw.displacement)[:, None] * self.screw.direction
-        return np.asarray(self.centre + rotation.rotate(turn, np.broadcast_to(arm, (len(turned), 3))) + moved)
+        """The start after fractions (k,) of the rotation and of the translation, (k, 3), m.
+
+        c + cos θ r + sin θ n × r + d n, with r from the centre c to the start, which is perpendicular to the axis n.
+        """
+        n, r = self.screw.direction, self.start - self.centre
+        theta, d = (turned * self.screw.angle)[:, None], (slid * self.screw.displacement)[:, None]
+        return np.asarray(self.centre + np.cos(theta) * r + np.sin(theta) * np.cross(n, r) + d * n)
 
     @property
     def helix(self) -> Array:

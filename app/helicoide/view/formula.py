@@ -61,14 +61,21 @@ def coefficient_grid(
 
 @lru_cache(maxsize=64)
 def general_formula(nature: Nature, notation: Notation) -> Markup:
-    """A multivector of this nature with letters for its coefficients, in the order and with the signs of the grid."""
-    terms = ""
+    """A multivector of this nature with letters for its coefficients, in the order and with the signs of the grid.
+
+    The bivectors with the null generator begin a second line.
+    """
+    lines = [""]
     for one in coefficients(nature, notation):
         role = role_of(nature, one.blade)
-        if role is not None:
-            sign = "-" if one.sign * role.sign < 0 else "+" if terms else ""
-            terms += rf" {sign} {role.letter}\, {blade_tex(one.name)}"
-    return formula_html(rf"{SYMBOLS[nature]} = {terms}")
+        if role is None:
+            continue
+        if one.blade == "e1e" and nature in ("motor", "line"):
+            lines.append("")
+        sign = "-" if one.sign * role.sign < 0 else "+" if any(lines) else ""
+        lines[-1] += rf" {sign} {role.letter}\, {blade_tex(one.name)}"
+    lines[0] = f"{SYMBOLS[nature]} = {lines[0]}"
+    return Markup("").join(map(formula_html, lines))
 
 
 def blade_tex(name: str) -> str:

@@ -83,10 +83,17 @@ def _written(forms: PoseForms, convention: str, language: Language) -> Markup:
             QUATERNION[language], formula_html(quaternion_tex(q, language)), halves[language]
         ),
         _table(DUAL, forms.dual_quaternion.reshape(2, 4), 4, language),
-        _table(MATRIX, forms.matrix * [1, 1, 1, 1000], 3, language),
+        _table(MATRIX, _in_mm(forms.matrix), 3, language),
         _euler(forms, convention, language),
     ]
     return Markup("<div class='helicoide-note helicoide-forms'>{}</div>").format(Markup("").join(parts))
+
+
+def _in_mm(T: Array) -> Array:
+    """A pose (4, 4), m, with its position in mm."""
+    shown = T.copy()
+    shown[:3, 3] *= 1000
+    return shown
 
 
 def quaternion_tex(q: Array, language: Language) -> str:

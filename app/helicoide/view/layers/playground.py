@@ -30,7 +30,7 @@ SAID = Text(
 FIRST, SECOND, SLERP, LERP, BALL = (0, 114, 178), (0, 158, 115), (0, 114, 178), (213, 94, 0), (150, 150, 160)
 RADIUS, LEFT, UP = 0.26, -0.75, 0.45  # × size, m: radius of the ball, and where its centre is
 STEPS, DOTS = 48, 10
-OFFSETS = {"q₁q₂": -0.45, "q₂q₁": 0.45}  # of the two products from the ball's centre, × size, m
+OFFSETS = {"q₁q₂": -0.22, "q₂q₁": 0.22}  # of the two products from the ball's centre, × size, m
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,8 +123,7 @@ class PlaygroundLayer:
     def _draw(self, play: Playground) -> None:
         nodes, (p, q) = self.nodes, play.quaternions
         r, t = self.radius, np.linspace(0.0, 1.0, STEPS + 1)
-        ways = {nodes.slerp: slerp(p, q, t), nodes.lerp: lerp(p, q, t)}
-        for line, way in ways.items():
+        for line, way in ((nodes.slerp, slerp(p, q, t)), (nodes.lerp, lerp(p, q, t))):
             line.points = r * np.stack([way[:-1, 1:], way[1:, 1:]], axis=1).astype(np.float32)
         dots = np.append(np.linspace(0.0, 1.0, DOTS + 1), play.t)
         nodes.slerp_dots.points = (r * slerp(p, q, dots)[:, 1:]).astype(np.float32)

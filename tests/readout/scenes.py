@@ -22,7 +22,8 @@ def scene(name: str, seed: int) -> State:
     lower, upper = np.maximum(robot.lower, -np.pi), np.minimum(robot.upper, np.pi)
     state = with_joints(state, rng.uniform(lower, upper))
     for _ in range(3):
-        state = gate.add_plane([*rng.uniform(-1, 1, 3), -3 * robot.reach])(state)
+        normal = rng.normal(size=3)
+        state = gate.add_plane([*normal / np.linalg.norm(normal), -3 * robot.reach])(state)
     if "rcm" in robot.frames:
         state = gate.enforce_entry(True)(state)
     turned = rotation.from_rotation_vector(rng.uniform(-2, 2, 3))

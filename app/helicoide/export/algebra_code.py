@@ -84,7 +84,7 @@ def _joint_lines(chain: Chain, notation: Notation) -> Iterator[str]:
 
 
 def _sum(values: Array, notation: Notation) -> str:
-    """The blades that are not zero, as products of generators, with 17 digits."""
+    """The blades that are not zero, as products of generators, with all digits."""
     algebra = ALGEBRAS[notation.algebra]
     terms = [
         repr(float(blade.sign * values[blade.place]))
@@ -92,7 +92,7 @@ def _sum(values: Array, notation: Notation) -> str:
         for blade in displayed_blades(algebra)
         if values[blade.place] != 0
     ]
-    return " + ".join(terms) or "0.0 * e1"
+    return " + ".join(terms if np.any(values[1:]) else [*terms, "0.0 * e1"])  # not a bare number
 
 
 def latex_text(formula: Formula) -> str:

@@ -23,7 +23,8 @@ DEEP = 0.12
 def selection_under_ray(state: State, eye: Array, ray: Array) -> Selection | None:
     """The nearest object under a ray from the camera of the page; None if it meets none or is not finite.
 
-    Points, frames and joint axes inside a link are meant before the link. Planes are transparent from behind.
+    Points and frames inside a link are meant before joint axes, these before the link. Planes are transparent from
+    behind.
     Args: eye, where the ray starts, (3,), m; ray (3,), its direction.
     """
     length = float(np.linalg.norm(ray))
@@ -32,9 +33,11 @@ def selection_under_ray(state: State, eye: Array, ray: Array) -> Selection | Non
     along = (ray / length)[None]
     surfaces = list(_surfaces(state, eye, along))
     first = min((depth for depth, _ in surfaces), default=np.inf)
-    inside = [found for found in _inside(state, eye, along) if found[0] < first + DEEP * state.robot.reach]
-    found = min(inside or surfaces, key=lambda pair: pair[0], default=(np.inf, None))
-    return found[1] if np.isfinite(found[0]) else None
+    for inside in (_points(state, eye, along), _axes(state, eye, along)):
+        near = [found for found in inside if np.isfinite(found[0]) and found[0] < first + DEEP * state.robot.reach]
+        if near:
+            return min(near, key=lambda found: found[0])[1]
+    return min(surfaces, key=lambda found: found[0])[1] if np.isfinite(first) else None
 
 
 Found = tuple[float, Selection]
@@ -54,12 +57,16 @@ def _surfaces(state: State, eye: Array, along: Array) -> Iterator[Found]:
             yield float(depth[0]), Selection("plane", k)
 
 
-def _inside(state: State, eye: Array, along: Array) -> Iterator[Found]:
-    """Points, frames and joint axes: a ball or a cylinder about each takes the click."""
-    reach = state.robot.reach
+def _points(state: State, eye: Array, along: Array) -> Iterator[Found]:
+    """Points and frames: a ball about each takes the click."""
     for centre, selection in _balls(state):
-        depth = ray_to_capsule(eye, along, np.array([centre, centre]), BALL * reach)
+        depth = ray_to_capsule(eye, along, np.array([centre, centre]), BALL * state.robot.reach)
         yield float(depth[0]), selection
+
+
+def _axes(state: State, eye: Array, along: Array) -> Iterator[Found]:
+    """Joint axes: a cylinder about each takes the click."""
+    reach = state.robot.reach
     for i, (axis, centre) in enumerate(zip(state.axes, state.arm.poses[1:, :3, 3], strict=True)):
         ends = np.array([centre - HALF * reach * axis, centre + HALF * reach * axis])
         yield float(ray_to_capsule(eye, along, ends, AXIS * reach)[0]), Selection("joint", i)

@@ -26,11 +26,11 @@ NAMES = (
     "north: wall",
 )
 HARMLESS = {
-    "a", "b", "blockquote", "br", "div", "em", "figcaption", "figure", "h3", "header", "i", "li", "p", "path",
+    "a", "b", "blockquote", "br", "button", "div", "em", "figcaption", "figure", "h3", "header", "i", "li", "p", "path",
     "polyline", "pre", "rect", "span", "strong", "sub", "svg", "table", "td", "text", "th", "tr", "u", "ul", "math",
-    "mfrac", "mi", "mn", "mo", "mover", "mrow", "mspace", "mstyle", "msub", "msubsup", "msup", "mtext", "munder",
+    "mfrac", "mi", "mn", "mo", "mover", "mrow", "mspace", "mstyle", "msub", "msubsup", "msup", "mtext", "munder", "ol",
 }  # fmt: skip
-OUTLINE = {"code", "body", "h1", "h2", "head", "html", "meta", "ol", "section", "style", "tbody", "thead", "title"}
+OUTLINE = {"code", "body", "h1", "h2", "head", "html", "meta", "section", "style", "tbody", "thead", "title"}
 AROUND = np.linspace(0, 2 * np.pi, 50)
 
 

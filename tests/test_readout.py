@@ -13,6 +13,7 @@ import pytest
 from tests.driving import after, clear_posture, with_joints
 
 from helicoide import gate, readout
+from helicoide.arrays import Array
 from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement import Zone
 from helicoide.geometry import rigid
@@ -22,6 +23,7 @@ from helicoide.ik.goal import goal_at_joints, goal_at_pose
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_chain import robot_from_urdf
+from helicoide.seat import Selection, SelectionKind
 from helicoide.state import State, initial_state
 
 ALL_ROWS = "x, y, z, ωx, ωy, ωz"
@@ -77,8 +79,11 @@ def test_plane_distances_in_four_postures(state: State, name: str) -> None:
     )
 
 
-def by_key(state: State) -> dict[str, readout.Reading]:
-    return {reading.key: reading for reading in readout.readings(state)}
+def values_of(state: State, kind: SelectionKind, index: int = 0) -> Array:
+    """The multivector of an object of the scene."""
+    element = readout.element_of(state, Selection(kind, index))
+    assert element is not None
+    return element.values(state)
 
 
 @pytest.fixture(params=range(5))
@@ -89,7 +94,7 @@ def anywhere(state: State, request: pytest.FixtureRequest) -> State:
 
 def test_the_tool_motor_brings_the_frame_at_the_base_to_the_tool(anywhere: State) -> None:
     """M moves points, lines and planes from tool coordinates to the world's."""
-    motor, T = by_key(anywhere)["tool"].at(anywhere), anywhere.T_world_tool
+    motor, T = values_of(anywhere, "tool"), anywhere.T_world_tool
     np.testing.assert_allclose(rigid.coordinates(rigid.move(motor, rigid.point([0, 0, 0]))), T[:3, 3], atol=1e-12)
     np.testing.assert_allclose(rigid.pose_from_motor(motor), T, atol=1e-12)
     along_x = rigid.move(motor, rigid.line([1, 0, 0], [0, 0, 0]))
@@ -101,35 +106,28 @@ def test_the_tool_point_is_the_moved_reference_point(anywhere: State) -> None:
     """The displacement from q = 0 takes the reference tool point (820, 0, 400) mm to the tool."""
     robot = anywhere.robot
     displacement = CL031.product(
-        by_key(anywhere)["tool"].at(anywhere), CL031.conjugate(rigid.motor_from_pose(robot.T_world_tool_0))
+        values_of(anywhere, "tool"), CL031.conjugate(rigid.motor_from_pose(robot.T_world_tool_0))
     )
     moved = rigid.coordinates(rigid.move(displacement, rigid.point(robot.T_world_tool_0[:3, 3])))
     np.testing.assert_allclose(moved, anywhere.T_world_tool[:3, 3], atol=1e-12)
-    np.testing.assert_allclose(moved, rigid.coordinates(by_key(anywhere)["point 4"].at(anywhere)), atol=1e-12)
+    np.testing.assert_allclose(moved, rigid.coordinates(values_of(anywhere, "point", 4)), atol=1e-12)
 
 
 def test_the_line_of_a_joint_is_its_axis_moved_by_the_joints_before_it(anywhere: State) -> None:
-    readings, motor = by_key(anywhere), CL031.blade("1")
+    motor = CL031.blade("1")
     for i, (joint, angle) in enumerate(zip(anywhere.robot.joints, anywhere.arm.q, strict=True)):
         moved = rigid.move(motor, rigid.line(joint.direction, joint.point))
-        np.testing.assert_allclose(readings[f"joint {i}"].at(anywhere), moved, atol=1e-12)
+        np.testing.assert_allclose(values_of(anywhere, "joint", i), moved, atol=1e-12)
         motor = CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))
 
 
 def test_planes_and_points_of_the_algebra_have_the_distances_of_the_table(anywhere: State) -> None:
-    readings, table = by_key(anywhere), readout.plane_distances(anywhere)
+    table = readout.plane_distances(anywhere)
     for j, k in np.ndindex(table.shape):
-        pi, p = readings[f"plane {k}"].at(anywhere), readings[f"point {j}"].at(anywhere)
+        pi, p = values_of(anywhere, "plane", k), values_of(anywhere, "point", j)
         assert rigid.point_plane_distance(pi, p) == pytest.approx(table[j, k], abs=1e-12)
         product = readout.distance_product(anywhere, j, k)
         np.testing.assert_allclose(product, 2 * table[j, k] * CL031.blade("e1e2e3e"), atol=1e-12)
-
-
-def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None:
-    readings = readout.readings(state)
-    assert len({reading.key for reading in readings}) == len(readings) == 1 + 5 + 4 + 5
-    assert all(reading.title.en and reading.title.pt_BR and reading.at(state).shape == (16,) for reading in readings)
-    assert len({(reading.symbol, reading.index) for reading in readings}) == len(readings)
 
 
 def test_the_nearest_point_and_the_zones(state: State) -> None:

@@ -5,21 +5,86 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
+from typing import Literal
 
+import numpy as np
+
+from helicoide.arrays import Array
+from helicoide.geometry import rotation
+from helicoide.geometry.notation import BladeNaming
 from helicoide.kinematics.stages import StageKind as Stages
 from helicoide.kinematics.workspace import MapKind
 from helicoide.text import Language
+
+SMALLEST_AXIS = 1e-9  # length below which three numbers give no direction
+
+SelectionKind = Literal["tool", "target", "link", "joint", "plane", "point", "frame", "entry", "path"]
+ShownAlgebra = Literal["Cl(0,3,1)", "Cl(3,0,1)"]
+"""The algebra of the sources, or that of modern texts."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """An object of the scene that a person inspects. index: its number among those of its kind, from 0."""
+
+    kind: SelectionKind
+    index: int = 0
+
+
+@dataclass(frozen=True)
+class Notation:
+    """How multivectors and orientations are written. euler: one of `geometry.euler.CONVENTIONS`."""
+
+    algebra: ShownAlgebra = "Cl(0,3,1)"
+    naming: BladeNaming = "factors"
+    euler: str = "zyx"
+
+
+@dataclass(frozen=True)
+class AxisAngle:
+    """A rotation by an angle, rad, about an axis (not zero)."""
+
+    axis: tuple[float, float, float]
+    angle: float
+
+    def about(self, axis: tuple[float, float, float]) -> AxisAngle:
+        """The same angle about another axis, scaled to length one; unchanged if the numbers give no direction."""
+        length = float(np.linalg.norm(axis))
+        if not (np.isfinite(length) and length > SMALLEST_AXIS):
+            return self
+        x, y, z = (float(value) / length for value in axis)
+        return replace(self, axis=(x, y, z))
+
+
+@dataclass(frozen=True)
+class Playground:
+    """Two rotations to compare and compose. t: fraction of the way from the first to the second, 0 to 1.
+
+    opposite: whether the first one is written −q, which is the same rotation.
+    """
+
+    first: AxisAngle = AxisAngle((0.0, 0.0, 1.0), 1.5)
+    second: AxisAngle = AxisAngle((1.0, 0.0, 0.0), 2.0)
+    t: float = 0.5
+    opposite: bool = False
+
+    @property
+    def quaternions(self) -> tuple[Array, Array]:
+        """The quaternions of the two rotations, wxyz (4,), the first with the chosen sign."""
+        p, q = (rotation.from_axis_angle(one.axis, one.angle) for one in (self.first, self.second))
+        return -p if self.opposite else p, q
 
 
 @dataclass(frozen=True)
 class Seat:
     """One person: language, place in a lesson, selection and view settings.
 
-    done: the steps whose goal has been reached; picked_points: the points, m, world frame, clicked for a plane, None
-    while no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of
-    the reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
-    files, "" to detect it; projector: whether text and handles are large; way: how the next waypoint is reached from
-    the one before.
+    done: the steps whose goal has been reached; selected: the inspected object; coefficient: the blade of `CL031` whose
+    coefficient is explained; term_joint: the joint highlighted in “Why this number”, from 0; picked_points: the points,
+    m, world frame, clicked for a plane, None while no plane is picked; map_kind: the chosen map of the workspace; cut:
+    where maps are cut, −1 to 1 in units of the reach; stages: the formulation that is shown joint by joint, None for
+    none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
+    way: how the next waypoint is reached from the one before.
     """
 
     token: str
@@ -28,7 +93,11 @@ class Seat:
     step: int = 0
     done: frozenset[str] = frozenset()
     hint_open: bool = False
-    selected: str | None = None
+    selected: Selection | None = None
+    coefficient: str | None = None
+    term_joint: int | None = None
+    notation: Notation = Notation()
+    playground: Playground = Playground()
     picked_points: tuple[tuple[float, ...], ...] | None = None
     visible_layers: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
     map_kind: MapKind = "reachable"
@@ -41,6 +110,10 @@ class Seat:
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""
         return replace(self, visible_layers=MappingProxyType({**self.visible_layers, name: on}))
+
+    def inspecting(self, selection: Selection | None) -> Seat:
+        """The same seat with another object inspected, or none; no coefficient of it is chosen yet."""
+        return replace(self, selected=selection, coefficient=None, term_joint=None)
 
 
 SeatUpdate = Callable[[Seat], Seat]

@@ -42,9 +42,9 @@ def test_a_rotor_in_each_notation() -> None:
 def test_the_null_generator_is_e_or_0_in_front() -> None:
     values = of(e=-1, e1e=2, e1e2e=3, e1e2e3e=1)
     assert notation.multivector_text(values, CL031) == "-e + 2 e1e + 3 e1e2e + e1e2e3e"
-    assert notation.multivector_text(values, CL031, "compact") == "-e0 - 2 e01 + 3 e012 - e0123"
+    assert notation.multivector_text(values, CL031, "compact") == "-e0 - 2 e01 - 3 e021 - e0123"
     assert notation.multivector_latex(values, CL031) == r"-e + 2\,e_{1}e + 3\,e_{1}e_{2}e + e_{1}e_{2}e_{3}e"
-    assert notation.multivector_latex(values, CL031, "compact") == r"-e_{0} - 2\,e_{01} + 3\,e_{012} - e_{0123}"
+    assert notation.multivector_latex(values, CL031, "compact") == r"-e_{0} - 2\,e_{01} - 3\,e_{021} - e_{0123}"
 
 
 def test_numbers_are_rounded_and_never_written_with_a_power() -> None:

@@ -17,6 +17,7 @@ from websockets.exceptions import ConnectionClosed
 
 from helicoide import gate
 from helicoide.command import HoldPosition, MoveToJoints
+from helicoide.seat import Selection
 from helicoide.session.lab import Lab
 from helicoide.view.news import tell_once
 from helicoide.view.window import Window
@@ -180,7 +181,7 @@ def test_what_is_lit_up_may_go(session: Lab, page: Page) -> None:
     session.shared.workcell.tell(gate.add_plane([0.0, 0.0, -1.0, -0.62]))
     assert eventually(lambda: NEW in listed(session))
     page.give("Highlight", NEW)
-    assert eventually(lambda: chosen(session) == "plane 4")
+    assert eventually(lambda: chosen(session) == Selection("plane", 4))
     session.shared.workcell.tell(gate.remove_plane(4))
     assert eventually(lambda: NEW not in listed(session))
     after_ticks(session)
@@ -195,7 +196,7 @@ def listed(session: Lab) -> tuple[str, ...]:
     return tuple(control(session, "Highlight").options)
 
 
-def chosen(session: Lab) -> str | None:
+def chosen(session: Lab) -> Selection | None:
     (window,) = windows(session)
     return window.view.seat.selected
 

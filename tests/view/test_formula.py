@@ -3,24 +3,46 @@
 from __future__ import annotations
 
 import re
+from typing import get_args
 
 import numpy as np
 import pytest
 from tests.hostile import NAMES, Page
 
 from helicoide.geometry.clifford import CL031
+from helicoide.geometry.notation import BladeNaming, multivector_text
+from helicoide.readout import ALGEBRAS, Nature, coefficients, in_algebra
+from helicoide.seat import Notation
 from helicoide.view.formula import coefficient_grid, formula_html
 
+CELL = re.compile(r'<i class="g(\d)( chosen)?( zero)?"><b>(.*?)</b><u>(.*?)</u></i>')
+NOTATIONS = [Notation(algebra, naming) for algebra in ALGEBRAS for naming in get_args(BladeNaming)]
 
-def test_every_blade_has_its_coefficient_and_its_name() -> None:
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=str)
+@pytest.mark.parametrize("nature", get_args(Nature))
+def test_the_grid_has_the_order_and_the_signs_of_the_sum(nature: Nature, notation: Notation) -> None:
+    """Each cell of the grid is the coefficient that the typeset sum has before the same blade."""
     values = np.array([0.0, -1.25, *range(2, 16)])
-    cells = re.findall(r'<i class="g(\d)( zero)?"><b>(.*?)</b><u>(.*?)</u></i>', coefficient_grid(values))
-    assert [int(grade) for grade, *_ in cells] == list(CL031.grades)
-    assert [bool(zero) for _, zero, *_ in cells] == [True] + 15 * [False]
-    assert [said for _, _, said, _ in cells][:3] == ["0", "−1.250", "2.000"]
-    assert [re.sub("</?sub>", "", name) for *_, name in cells] == list(CL031.names)
-    assert cells[0][3] == "1"
-    assert cells[5][3] == "e<sub>1</sub>e<sub>2</sub>"
+    shown = coefficients(nature, notation)
+    cells = [
+        (int(grade), "" if zero else said.replace("−", "-"), re.sub("</?sub>", "", name))
+        for grade, _, zero, said, name in CELL.findall(coefficient_grid(values, shown))
+    ]
+    assert [name for _, _, name in cells] == [one.name for one in shown]
+    assert [grade for grade, _, _ in cells] == sorted(CL031.grades)
+    algebra = ALGEBRAS[notation.algebra]
+    written = multivector_text(in_algebra(nature, values, notation.algebra), algebra, notation.naming)
+    terms = re.findall(r"(-?) ?([\d.]+) (e\w*)", written)
+    assert [(name, float(sign + number)) for sign, number, name in terms] == [
+        (name, float(said)) for _, said, name in cells if said
+    ]
+
+
+def test_the_chosen_coefficient_is_marked_and_zero_ones_are_faint() -> None:
+    cells = CELL.findall(coefficient_grid(np.eye(16)[6], coefficients("motor", Notation()), chosen="e1e3"))
+    assert [name for _, chosen, _, _, name in cells if chosen] == ["e<sub>3</sub>e<sub>1</sub>"]
+    assert [said for _, _, zero, said, _ in cells if not zero] == ["−1.000"]
 
 
 @pytest.mark.parametrize("name", [*NAMES, "+z", "&", "π < 4"])

@@ -15,7 +15,7 @@ from tests.hostile import HARMLESS, NAMES, Page, renamed, result_named, study_na
 from helicoide import gate, lesson, studies
 from helicoide.confinement import plane_file
 from helicoide.kinematics.robot import Robot
-from helicoide.seat import Seat
+from helicoide.seat import Seat, Selection
 from helicoide.state import FittedCloud, State, initial_state
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.text import LANGUAGES, Language, Text, untranslated
@@ -84,13 +84,15 @@ def elements(gui: viser.GuiApi) -> list[Any]:
 @pytest.mark.parametrize("named", NAMES, indirect=True)
 def test_every_panel_shows_a_name_as_it_is(server: viser.ViserServer, named: State, language: Language) -> None:
     (seen,) = named.clouds
-    seat = Seat("", language, lesson="drive_the_arm", hint_open=True, selected="plane 1", visible_layers=SHOWS)
+    seat = Seat(
+        "", language, lesson="drive_the_arm", hint_open=True, selected=Selection("plane", 1), visible_layers=SHOWS
+    )
     view = View(named, seat, panel_named(seen))
     server.gui.reset()
     placed = [
         row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(named.robot), view, print)
     ]
-    for now in (view, replace(view, seat=replace(seat, selected="point 0"))):
+    for now in (view, replace(view, seat=replace(seat, selected=Selection("point", 0)))):
         for row in placed:
             row.refresh(now)
     shown = elements(server.gui)

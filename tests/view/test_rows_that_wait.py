@@ -15,7 +15,7 @@ import viser
 from numba.core import event
 from helicoide.kinematics.library import load_robot
 from helicoide.kernels import KERNELS
-from helicoide.seat import Seat
+from helicoide.seat import Seat, Selection
 from helicoide.state import initial_state
 from helicoide.view import layers, panels
 from helicoide.view.placed_rows import place_rows
@@ -32,7 +32,8 @@ class Listener(event.Listener):
 robot = load_robot("movemaster")
 server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
 shows = {layer.NAME: layer.SHOWN for layer in layers.optional()}
-view = View(initial_state(robot), replace(Seat("", "en"), visible_layers=shows, selected="plane 0"), ready=False)
+seat = replace(Seat("", "en"), visible_layers=shows, selected=Selection("plane"))
+view = View(initial_state(robot), seat, ready=False)
 with event.install_listener("numba:compile", Listener()):
     placed = [row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(robot), view, print)]
     print("=", len(placed), compiled)

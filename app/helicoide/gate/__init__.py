@@ -6,6 +6,7 @@ here: a browser may send anything.
 
 from helicoide.gate.ball import POINTS, can_grasp, pick_and_place, put_ball, take_ball_away
 from helicoide.gate.check import PARKED, pose, while_asked, while_there
+from helicoide.gate.coefficients import FOLLOWS, set_coefficient
 from helicoide.gate.enclosure import (
     add_plane,
     add_plane_through,
@@ -49,7 +50,7 @@ from helicoide.gate.obstacles import (
     set_obstacle_radius,
 )
 from helicoide.gate.path import choose_path, choose_scaling, pause, play, scrub, set_duration
-from helicoide.gate.planes import drag_plane, restore_planes
+from helicoide.gate.planes import drag_plane, restore_planes, set_plane
 from helicoide.gate.postures import HEAVIEST_JOINT, go_to_posture, show_postures, weigh_joint
 from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
@@ -70,6 +71,7 @@ from helicoide.gate.teaching import (
 
 __all__ = [
     "ENTRY",
+    "FOLLOWS",
     "HEAVIEST",
     "HEAVIEST_JOINT",
     "LARGEST",
@@ -134,6 +136,7 @@ __all__ = [
     "say",
     "scrub",
     "set_box",
+    "set_coefficient",
     "set_duration",
     "set_dwell",
     "set_entry",
@@ -146,6 +149,7 @@ __all__ = [
     "set_obstacle",
     "set_obstacle_radius",
     "set_option",
+    "set_plane",
     "set_target",
     "set_zones",
     "show_cloud",

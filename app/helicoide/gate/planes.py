@@ -1,4 +1,4 @@
-"""The planes that confine the arm: drag them, or restore those of the robot's file."""
+"""The planes that confine the arm: drag them, set one, or restore those of the robot's file."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.confinement import limited_plane_centre, planes_of
-from helicoide.gate.check import driven, pose
+from helicoide.confinement import Plane, limited_plane_centre, planes_of
+from helicoide.gate.check import FARTHEST, driven, finite, pose
 from helicoide.gate.target import Phase
 from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
@@ -20,9 +20,7 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
 
     def change(state: State) -> State:
         T = pose(state, position, wxyz)
-        panes = state.problem.planes.panes
-        if index not in range(len(panes)) or not panes[index].movable:
-            raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
+        check_movable(state, index)
         handle = f"plane {index}"
         if phase == "start":
             state = with_drag(state, Drag(seat, handle))
@@ -32,6 +30,36 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
         return _plane_moved(held, index, T[:3, 2], T[:3, 3])
 
     return driven(change)
+
+
+def set_plane(index: int, normal: ArrayLike, offset: float) -> Update:
+    """Set a plane n·r = d: n (3,), any length but 0; d, m, for n/‖n‖. It stops at the critical distance from the arm.
+
+    The centre of its pane moves to the foot of the perpendicular.
+    """
+
+    def change(state: State) -> State:
+        check_movable(state, index)
+        *direction, d = finite([*finite(normal, (3,)), offset], (4,))
+        far = FARTHEST * state.robot.maximum_reach
+        if np.linalg.norm(direction) < 1e-6 or abs(d) > far:
+            raise HelicoideError(
+                Text(
+                    en="A plane needs a normal that is not zero and a distance of at most {far:.1f} m.",
+                    pt_BR="Um plano precisa de uma normal não nula e de uma distância de no máximo {far:.1f} m.",
+                ).format(far=far)
+            )
+        plane = Plane(np.asarray(direction) / np.linalg.norm(direction), float(d))
+        return _plane_moved(state, index, plane.normal, plane.foot(state.problem.planes.centres[index]))
+
+    return driven(change)
+
+
+def check_movable(state: State, index: int) -> None:
+    """Raise HelicoideError unless there is a movable plane with this number."""
+    panes = state.problem.planes.panes
+    if index not in range(len(panes)) or not panes[index].movable:
+        raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
 
 
 def _plane_moved(state: State, index: int, normal: Array, moved: Array) -> State:

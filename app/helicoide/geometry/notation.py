@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from typing import Literal
+from functools import cache
+from typing import Literal, NamedTuple
 
 from latex2mathml.converter import convert
 
@@ -14,12 +15,45 @@ BladeNaming = Literal["factors", "compact"]
 """Names of blades: e1e2e as in the sources, or as in modern texts e12, with the null generator in front, e012."""
 
 DECIMALS = 3
+# With three generators that are not null, bivectors are named in the order of the axes about which they rotate.
+CYCLIC: dict[BladeNaming, tuple[str, ...]] = {
+    "factors": (
+        *("1", "e1", "e2", "e3", "e", "e2e3", "e3e1", "e1e2", "e1e", "e2e", "e3e"),
+        *("e1e2e3", "e2e3e", "e3e1e", "e1e2e", "e1e2e3e"),
+    ),
+    "compact": (
+        *("1", "e1", "e2", "e3", "e0", "e23", "e31", "e12", "e01", "e02", "e03"),
+        *("e123", "e032", "e013", "e021", "e0123"),
+    ),
+}
+
+
+class DisplayedBlade(NamedTuple):
+    """A blade as it is displayed: its coefficient is the sign times the value at this place of the stored array."""
+
+    name: str
+    place: int
+    sign: int
+
+
+@cache
+def displayed_blades(algebra: Algebra, naming: BladeNaming = "factors") -> tuple[DisplayedBlade, ...]:
+    """The blades in the order and with the signs in which they are displayed, everywhere.
+
+    With three generators e₁, e₂, e₃ and a null one: e₂₃, e₃₁, e₁₂ for the axes x, y, z, and so on. Other algebras are
+    displayed as they are stored.
+    """
+    if len(algebra.squares) == 4 and algebra.r == 1:
+        names = CYCLIC[naming]
+    else:
+        names = algebra.names if naming == "factors" else algebra.compact_names
+    return tuple(DisplayedBlade(name, *algebra.parse_blade(name)) for name in names)
 
 
 def multivector_text(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
     """Sum of the blades that are not zero after rounding, such as 0.866 + 0.5 e1e2.
 
-    values: (2ⁿ,). Compact names may change signs: −e1e is written e01, since moving e past e1 changes the sign.
+    values: (2ⁿ,). Names may change signs: −e1e is written e01, since moving e past e1 changes the sign.
     """
     return _sum(_terms(values, algebra, naming, " ", str))
 
@@ -41,8 +75,7 @@ def _indexed(name: str) -> str:
 def _terms(
     values: Array, algebra: Algebra, naming: BladeNaming, times: str, written: Callable[[str], str]
 ) -> Iterator[str]:
-    for name in algebra.names if naming == "factors" else algebra.compact_names:
-        place, sign = algebra.parse_blade(name)
+    for name, place, sign in displayed_blades(algebra, naming):
         coefficient = sign * round(float(values[place]), DECIMALS)
         number = f"{coefficient:.{DECIMALS}f}".rstrip("0").rstrip(".")
         if coefficient == 0:

@@ -1,6 +1,9 @@
 """Quantities derived from a State for display: named multivectors, distances, instruments and the status in words."""
 
-from helicoide.readout.distances import nearest_point_and_plane, plane_distances, zones
+from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms
+from helicoide.readout.coefficients import ALGEBRAS, Coefficient, coefficients, exact_text, in_algebra
+from helicoide.readout.distances import distance_product, nearest_point_and_plane, plane_distances, zones
+from helicoide.readout.elements import Element, Nature, element_of, elements
 from helicoide.readout.instruments import (
     Instrument,
     counted_names,
@@ -10,30 +13,55 @@ from helicoide.readout.instruments import (
     near_singular,
     target_pose,
 )
-from helicoide.readout.multivectors import Reading, chosen_reading, distance_product, readings
+from helicoide.readout.marks import Marks, coefficient_marks
+from helicoide.readout.meanings import INTRODUCTION, meaning
+from helicoide.readout.pose_forms import PoseForms, forms_of_pose
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
+from helicoide.readout.roles import Role, role_of
+from helicoide.readout.screws import DrawnScrew, drawn_screw
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 
 __all__ = [
+    "ALGEBRAS",
+    "INTRODUCTION",
     "SHORT",
     "TURNED",
     "WHY_PRINTED_DIFFERS",
+    "Chain",
+    "ChainTerms",
+    "Coefficient",
+    "DrawnScrew",
+    "Element",
     "Instrument",
-    "Reading",
+    "Marks",
+    "Nature",
+    "PoseForms",
+    "Role",
     "Status",
+    "Term",
     "Tone",
-    "chosen_reading",
+    "chain_of",
+    "chain_terms",
+    "coefficient_marks",
+    "coefficients",
     "counted_names",
     "distance_product",
+    "drawn_screw",
+    "element_of",
+    "elements",
+    "exact_text",
+    "forms_of_pose",
+    "in_algebra",
     "instruments",
     "limited_by",
     "limiting",
+    "meaning",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",
     "plane_distances",
     "printed_planes",
-    "readings",
+    "role_of",
     "status",
     "target_pose",
     "too_near",

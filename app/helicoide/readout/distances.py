@@ -6,6 +6,8 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.confinement import Zone
+from helicoide.geometry import rigid
+from helicoide.geometry.clifford import CL031
 from helicoide.ik import Contact
 from helicoide.state import State
 
@@ -31,3 +33,10 @@ def nearest_point_and_plane(state: State) -> Contact:
 def zones(state: State) -> tuple[Zone, ...]:
     """The zone of each plane, given by the monitored point nearest to it."""
     return tuple(state.problem.zones.zone_of(float(least)) for least in plane_distances(state).min(axis=0))
+
+
+def distance_product(state: State, point: int, plane: int) -> Array:
+    """πp − pπ = 2 l e1e2e3e of a monitored point and a plane, (16,), m. Source: Cerbaro 2022, eq. 19."""
+    pi = rigid.plane(state.problem.planes.normals[plane], state.problem.planes.offsets[plane])
+    p = rigid.point(state.monitored_points[point])
+    return np.subtract(CL031.product(pi, p), CL031.product(p, pi))

@@ -24,7 +24,7 @@ def seated_at(robots: Collection[str], seat: Seat) -> Seat:
     robots: names of the current robot and of the one that is being loaded.
     """
     seat = replace(seat, done=frozenset()) if is_about(seat, robots) else lesson.entered(seat, None)
-    return replace(seat, selected=None, picked_points=None)
+    return replace(seat.inspecting(None), picked_points=None)
 
 
 def judged(seat: Seat, state: State) -> Seat:

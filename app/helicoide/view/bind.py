@@ -74,8 +74,3 @@ def on_pick(scene: viser.SceneApi, act: Callable[[Array, Array], None]) -> None:
 
     register: Any = scene.on_click()  # it takes coroutines, although its type does not say so
     register(picked)
-
-
-def stop_picking(scene: viser.SceneApi) -> None:
-    """Stop receiving clicks in a scene."""
-    scene.remove_click_callback()

@@ -6,7 +6,7 @@ before it is added, so that a row that raises adds nothing.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from time import monotonic
 from typing import Any, Literal
@@ -149,7 +149,7 @@ class ChoiceControl(ValueControl):
         binding = Binding(lambda view: self._words(view)[row.value(view)], self._request)
         super().__init__(handle, binding, view, ask)
 
-    def _words(self, view: View) -> dict[str, str]:
+    def _words(self, view: View) -> dict[Hashable, str]:
         """The text of each key; equal texts get a number."""
         options = self.row.options
         known = options(view) if callable(options) else options

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 import numpy as np
 from markupsafe import Markup
 
 from helicoide.arrays import Array
-from helicoide.geometry.clifford import CL031
 from helicoide.markup import formula_to_mathml
+from helicoide.readout import Coefficient, Nature, coefficients, role_of
+from helicoide.seat import Notation
 from helicoide.text import Language, number_text
 
 ZERO = 5e-4
@@ -21,19 +23,22 @@ def formula_html(tex: str, index: str = "") -> Markup:
 
 
 def _blade(name: str) -> Markup:
-    """The name of a basis blade, such as e1e2, with its digits as subscripts."""
-    parts = re.split(r"(?<=e)(\d)", name)
+    """The name of a basis blade, such as e1e2 or e12, with its digits as subscripts."""
+    parts = re.split(r"(?<=e)(\d+)", name)
     return Markup("").join(Markup("<sub>{}</sub>").format(part) if k % 2 else part for k, part in enumerate(parts))
 
 
-def _grid() -> Markup:
+def blade_words(name: str) -> str:
+    """The name of a blade in plain text, such as e₂e₃ or e₂₃."""
+    return name.translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")) if name != "1" else name
+
+
+@lru_cache(maxsize=64)
+def _grid(shown: tuple[Coefficient, ...], chosen: str | None) -> Markup:
     """The grid, with two %s to fill in each cell. It is made once, since panels fill it ten times a second."""
-    cell = Markup('<i class="g{}%s"><b>%s</b><u>{}</u></i>')
-    cells = (cell.format(grade, _blade(name)) for grade, name in zip(CL031.grades, CL031.names, strict=True))
+    cell = Markup('<i class="g{}{}%s"><b>%s</b><u>{}</u></i>')
+    cells = (cell.format(one.grade, " chosen" if one.blade == chosen else "", _blade(one.name)) for one in shown)
     return Markup('<div class="helicoide-grid">{}</div>').format(Markup("").join(cells))
-
-
-GRID = _grid()
 
 
 def coefficient(value: float, language: Language = "en") -> str:
@@ -41,7 +46,41 @@ def coefficient(value: float, language: Language = "en") -> str:
     return "0" if abs(value) < ZERO else number_text(value, ".3f")[language].replace("-", "−")
 
 
-def coefficient_grid(values: Array, language: Language = "en") -> Markup:
-    """The 16 coefficients with their blade names, coloured by grade, zero ones faint."""
-    said = [(" zero" if abs(value) < ZERO else "", coefficient(value, language)) for value in np.asarray(values)]
-    return GRID % tuple(word for words in said for word in words)
+def coefficient_grid(
+    values: Array, shown: tuple[Coefficient, ...], language: Language = "en", chosen: str | None = None
+) -> Markup:
+    """The 16 coefficients (16,) of `CL031` as displayed, with their blades, coloured by grade, zero ones faint.
+
+    chosen: the blade of `CL031` that is marked.
+    """
+    stored = np.asarray(values).tolist()
+    signed = [one.sign * stored[one.place] for one in shown]
+    said = [(" zero" if abs(value) < ZERO else "", coefficient(value, language)) for value in signed]
+    return _grid(shown, chosen) % tuple(word for words in said for word in words)
+
+
+@lru_cache(maxsize=64)
+def general_formula(nature: Nature, notation: Notation) -> Markup:
+    """A multivector of this nature with letters for its coefficients, in the order and with the signs of the grid.
+
+    The bivectors with the null generator begin a second line.
+    """
+    lines = [""]
+    for one in coefficients(nature, notation):
+        role = role_of(nature, one.blade)
+        if role is None:
+            continue
+        if one.blade == "e1e" and nature in ("motor", "line"):
+            lines.append("")
+        sign = "-" if one.sign * role.sign < 0 else "+" if any(lines) else ""
+        lines[-1] += rf" {sign} {role.letter}\, {blade_tex(one.name)}"
+    lines[0] = f"{SYMBOLS[nature]} = {lines[0]}"
+    return Markup("").join(map(formula_html, lines))
+
+
+def blade_tex(name: str) -> str:
+    """The name of a blade in TeX; nothing for the blade 1."""
+    return "" if name == "1" else re.sub(r"e(\d+)", r"e_{\1}", name)
+
+
+SYMBOLS: dict[Nature, str] = {"motor": "M", "line": r"\ell", "plane": r"\pi", "point": "p"}

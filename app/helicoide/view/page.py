@@ -53,6 +53,7 @@ TAGS = Markup(
     '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
+    '<link rel="stylesheet" href="static/inspector.css" /><script src="static/copy.js" defer></script>'
     '<script src="static/helicoide.js" data-words="{}" defer></script>'
     '<script src="static/layout.js" defer></script>'
     '<script src="static/keyboard.js" data-words="{}" defer></script>'

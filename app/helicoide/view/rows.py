@@ -224,9 +224,9 @@ class Dropdown:
     """A choice of one of several options. `options`: keys with their titles, which may depend on the view."""
 
     label: Text
-    options: Sequence[tuple[str, Text]] | Callable[[View], Sequence[tuple[str, Text]]]
-    value: Callable[[View], str]
-    request: Callable[[str], PageRequest]
+    options: Sequence[tuple[Hashable, Text]] | Callable[[View], Sequence[tuple[Hashable, Text]]]
+    value: Callable[[View], Hashable]
+    request: Callable[[Any], PageRequest]
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,19 @@
-"""The highlighted object of the selected multivector: tool frame, joint axis, border of a plane, or point."""
+"""The highlighted object: the inspected one, what its chosen coefficient means, and the joint of a term."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 import viser
 
 from helicoide import readout
 from helicoide.arrays import Array
-from helicoide.geometry import rotation
+from helicoide.geometry import rigid, rotation
+from helicoide.readout import Element, Marks
+from helicoide.seat import Selection
 from helicoide.state import State
+from helicoide.view.joint_colours import joint_colour
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border, pane_wxyz
 from helicoide.view.pose import place_node
@@ -17,14 +22,28 @@ from helicoide.view.rows import View
 NAME = "lit"
 SHARED = False
 
-LIGHT = (255, 214, 0)
+LIGHT, MARK = (255, 214, 0), (213, 0, 249)
 HALF = 0.73
 
 
+@dataclass(frozen=True, eq=False)
+class HighlightNodes:
+    """The nodes of the layer: object (frame, lines, ball), coefficient (arrows, segments, area), joint of a term."""
+
+    frame: viser.FrameHandle
+    lines: viser.LineSegmentsHandle
+    ball: viser.IcosphereHandle
+    arrows: viser.ArrowsHandle
+    segments: viser.LineSegmentsHandle
+    area: viser.MeshHandle
+    joint: viser.LineSegmentsHandle
+
+
 def build(stage: Stage) -> Highlight:
-    """A frame, a line and a ball, hidden until something is selected."""
+    """All nodes, hidden until something is selected."""
     scene, size = stage.scene, stage.size
-    return Highlight(
+    none = np.zeros((1, 2, 3))
+    nodes = HighlightNodes(
         scene.add_frame(
             "/lit/frame",
             axes_length=0.16 * size,
@@ -33,14 +52,33 @@ def build(stage: Stage) -> Highlight:
             origin_color=LIGHT,
             visible=False,
         ),
-        scene.add_line_segments("/lit/lines", np.zeros((1, 2, 3)), LIGHT, thickness=0.009 * size, visible=False),
+        scene.add_line_segments("/lit/lines", none, LIGHT, thickness=0.009 * size, visible=False),
         scene.add_icosphere("/lit/ball", radius=0.03 * size, color=LIGHT, opacity=0.85, visible=False),
+        scene.add_arrows(
+            "/lit/arrows",
+            none,
+            MARK,
+            shaft_radius=0.006 * size,
+            head_radius=0.016 * size,
+            head_length=0.045 * size,
+            visible=False,
+        ),
+        scene.add_line_segments("/lit/segments", none, MARK, thickness=0.009 * size, visible=False),
+        scene.add_mesh_simple(
+            "/lit/area", np.zeros((4, 3)), TRIANGLES, color=MARK, opacity=0.3, side="double", visible=False
+        ),
+        scene.add_line_segments("/lit/joint", none, LIGHT, thickness=0.014 * size, visible=False),
     )
+    return Highlight(nodes)
 
 
-def lines_of(state: State, kind: str, index: int) -> Array:
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def lines_of(state: State, selection: Selection) -> Array:
     """The segments that highlight a joint's axis or a plane's border, (m, 2, 3), m."""
-    if kind == "joint":
+    index = selection.index
+    if selection.kind == "joint":
         axis, centre = state.axes[index], state.arm.poses[index + 1, :3, 3]
         half = HALF * state.robot.reach
         return np.array([[centre - half * axis, centre + half * axis]])
@@ -50,29 +88,64 @@ def lines_of(state: State, kind: str, index: int) -> Array:
 
 
 class Highlight:
-    """The highlighted object."""
+    """The highlighted object and the marks of its coefficient."""
 
-    def __init__(self, frame: viser.FrameHandle, lines: viser.LineSegmentsHandle, ball: viser.IcosphereHandle) -> None:
-        self.frame, self.lines, self.ball = frame, lines, ball
+    def __init__(self, nodes: HighlightNodes) -> None:
+        self.nodes = nodes
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the selected object."""
-        state = new.state
-        if (
-            old is not None
-            and old.state.arm.q is state.arm.q
-            and old.state.problem is state.problem
-            and old.seat is new.seat
-        ):
+        if old is not None and old.seat is new.seat and _seen(old) == _seen(new):
             return
-        chosen = readout.chosen_reading(state, new.seat.selected)
-        kind, _, number = ("" if chosen is None else chosen.key).partition(" ")
-        for handle, kinds in ((self.frame, ("tool",)), (self.lines, ("joint", "plane")), (self.ball, ("point",))):
-            if handle.visible != (kind in kinds):
-                handle.visible = kind in kinds
-        if kind == "tool":
-            place_node(self.frame, state.T_world_tool)
-        elif kind in ("joint", "plane"):
-            self.lines.points = lines_of(state, kind, int(number)).astype(np.float32)
-        elif kind == "point":
-            self.ball.position = state.monitored_points[int(number)]
+        element = readout.element_of(new.state, new.seat.selected)
+        self._object(new.state, element)
+        self._marks(new, element)
+        self._joint(new, element)
+
+    def _object(self, state: State, element: Element | None) -> None:
+        nodes, nature = self.nodes, None if element is None else element.nature
+        _show(nodes.frame, nature == "motor")
+        _show(nodes.lines, nature in ("line", "plane"))
+        _show(nodes.ball, nature == "point")
+        if element is None:
+            return
+        if element.pose is not None:
+            place_node(nodes.frame, element.pose(state))
+        elif nature == "point":
+            nodes.ball.position = rigid.coordinates(element.values(state))
+        else:
+            nodes.lines.points = lines_of(state, element.selection).astype(np.float32)
+
+    def _marks(self, view: View, element: Element | None) -> None:
+        """Draw what the chosen coefficient means."""
+        nodes, marks = self.nodes, Marks()
+        if element is not None and view.ready:  # the products of multivectors are kernels
+            values, reach = element.values(view.state), view.state.robot.reach
+            marks = readout.coefficient_marks(element.nature, values, view.seat.coefficient, reach)
+        for node, points in ((nodes.arrows, marks.arrows), (nodes.segments, marks.segments)):
+            if len(points):
+                node.points = points.astype(np.float32)
+            _show(node, len(points) > 0)
+        if len(marks.area):
+            nodes.area.vertices = marks.area.astype(np.float32)
+        _show(nodes.area, len(marks.area) > 0)
+
+    def _joint(self, view: View, element: Element | None) -> None:
+        """Draw the axis of the joint that is chosen in “Why this number”."""
+        joint, node = view.seat.term_joint, self.nodes.joint
+        shown = element is not None and element.nature == "motor" and joint in range(len(view.state.robot.joints))
+        if shown and joint is not None:
+            node.points = lines_of(view.state, Selection("joint", joint)).astype(np.float32)
+            node.colors = np.array(joint_colour(joint), dtype=np.uint8)
+        _show(node, shown)
+
+
+def _seen(view: View) -> tuple[object, ...]:
+    """The parts of the view on which the inspected object depends. Equal results: nothing has to be drawn."""
+    state = view.state
+    return id(state.arm.q), id(state.problem), id(state.request.command), view.ready
+
+
+def _show(node: viser.SceneNodeHandle, shown: bool) -> None:
+    if node.visible != shown:
+        node.visible = shown

@@ -1,4 +1,7 @@
-"""Points clicked in the scene: while the user picks, each click gives a point, and three points give a plane."""
+"""Clicks in the scene: each one selects the object under it; while the user picks a plane, it gives a point of it.
+
+Three points give the plane.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,8 @@ import viser
 from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.perception.pointing import point_under_ray
+from helicoide.perception.selecting import selection_under_ray
+from helicoide.state import State
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForArm, ForSeat, View
@@ -21,9 +26,10 @@ COLOUR, SIZE, NEEDED = (194, 24, 91), 0.012, 3
 
 
 def build(stage: Stage) -> Picked:
-    """The layer, without points, and ignoring clicks at first."""
-    bind.stop_picking(stage.scene)
-    return Picked(stage)
+    """The layer, without points."""
+    layer = Picked(stage)
+    bind.on_pick(stage.scene, layer.clicked)
+    return layer
 
 
 class Picked:
@@ -35,17 +41,12 @@ class Picked:
         self.points: viser.PointCloudHandle | None = None
 
     def update(self, old: View | None, new: View) -> None:
-        """Receive clicks while the user picks, and show the points."""
+        """Show the points."""
         before = None if old is None else old.seat.picked_points
         self.view = new
         picked = new.seat.picked_points
-        if before == picked:
-            return
-        if before is None:
-            bind.on_pick(self.stage.scene, self._clicked)
-        if picked is None:
-            bind.stop_picking(self.stage.scene)
-        self._draw(picked or ())
+        if before != picked:
+            self._draw(picked or ())
 
     def _draw(self, points: tuple[tuple[float, ...], ...]) -> None:
         if self.points is not None:
@@ -56,14 +57,23 @@ class Picked:
                 "/picked", np.array(points, dtype=np.float32), COLOUR, point_size=SIZE * self.stage.size
             )
 
-    def _clicked(self, eye: Array, ray: Array) -> None:
-        """Add the clicked point; the third one adds the plane."""
-        if self.view is None or self.view.seat.picked_points is None:
+    def clicked(self, eye: Array, ray: Array) -> None:
+        """Add a point to the plane that is picked, else select the object; a second click on it ends the selection."""
+        if self.view is None:
             return
-        point = point_under_ray(self.view.state, eye, ray)
+        if self.view.seat.picked_points is not None:
+            self._pick(self.view.state, self.view.seat.picked_points, (eye, ray))
+            return
+        selection = selection_under_ray(self.view.state, eye, ray)
+        if selection is not None:
+            self.stage.act(ForSeat(lambda seat: seat.inspecting(None if seat.selected == selection else selection)))
+
+    def _pick(self, state: State, before: tuple[tuple[float, ...], ...], ray: tuple[Array, Array]) -> None:
+        """Add the clicked point; the third one adds the plane."""
+        point = point_under_ray(state, *ray)
         if point is None:
             return
-        picked = (*self.view.seat.picked_points, tuple(map(float, point)))
+        picked = (*before, tuple(map(float, point)))
         ended = len(picked) == NEEDED
         self.stage.act(ForSeat(lambda seat: replace(seat, picked_points=None if ended else picked)))
         if ended:

@@ -1,9 +1,8 @@
-"""The current multivectors of the scene: all of them in a list, and one that is chosen and highlighted."""
+"""The Algebra tab: the inspected object in all its forms, and the current multivectors of the scene."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 
 from markupsafe import Markup
 from viser import Icon
@@ -11,24 +10,38 @@ from viser import Icon
 from helicoide import readout
 from helicoide.ik import Contact
 from helicoide.kinematics.robot import Robot
-from helicoide.readout import Reading
+from helicoide.readout import Nature
+from helicoide.seat import Notation, Selection, SelectionKind, ShownAlgebra
 from helicoide.state import State
-from helicoide.text import Language, Text, number_text
+from helicoide.text import Text, number_text
 from helicoide.view import html
-from helicoide.view.formula import coefficient_grid, formula_html
-from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, Row, View
+from helicoide.view.code_rows import code_rows
+from helicoide.view.formula import ZERO, blade_words, coefficient, coefficient_grid, formula_html, general_formula
+from helicoide.view.inspector_rows import highlight_row, inspected, inspector_rows, shown
+from helicoide.view.notation_rows import notation_rows
+from helicoide.view.playground_rows import playground_rows
+from helicoide.view.pose_form_rows import pose_form_rows
+from helicoide.view.rows import Folder, HtmlRow, Row, View
 from helicoide.view.stage_rows import stage_rows
+from helicoide.view.term_rows import term_rows
 
 TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2
 ICON = Icon.MATH_FUNCTION
 
 NOTHING = Text(en="none", pt_BR="nenhum")
-INTRODUCTION = Text(
-    en="All values are multivectors of Cl(0,3,1): e₁, e₂ and e₃ square to −1, e to 0. Lengths are in metres.",
-    pt_BR="Todos os valores são multivetores de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador e, 0. Comprimentos "
-    "em metros.",
-)
+INTRODUCTION: dict[ShownAlgebra, Text] = {
+    "Cl(0,3,1)": Text(
+        en="All values are multivectors of Cl(0,3,1): e₁, e₂ and e₃ square to −1, {null} to 0. Lengths are in metres.",
+        pt_BR="Todos os valores são multivetores de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador {null}, 0. "
+        "Comprimentos em metros.",
+    ),
+    "Cl(3,0,1)": Text(
+        en="All values are multivectors of Cl(3,0,1): e₁, e₂ and e₃ square to 1, {null} to 0. Lengths are in metres.",
+        pt_BR="Todos os valores são multivetores de Cl(3,0,1): e₁, e₂ e e₃ têm quadrado 1; o gerador {null}, 0. "
+        "Comprimentos em metros.",
+    ),
+}
 DISTANCE = Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)")
 BETWEEN = Text(en="{point} and plane {name} ({pane})", pt_BR="{point} e plano {name} ({pane})")
 GRADES = (
@@ -43,15 +56,16 @@ GRADES = (
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
-        HtmlRow(lambda view: html.note(INTRODUCTION[view.seat.language]) + _legend(view)),
-        Dropdown(
-            Text(en="Highlight", pt_BR="Destacar"),
-            lambda view: [("", NOTHING), *((one.key, one.title) for one in readout.readings(view.state))],
-            lambda view: _key(view) or "",
-            lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
-        ),
-        HtmlRow(_selected, computed=True),
-        *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)])] if robot.panes else []),
+        HtmlRow(_legend),
+        highlight_row(),
+        *inspector_rows(),
+        Folder(MEANINGS, [HtmlRow(_meanings, computed=True)], open=False),
+        pose_form_rows(),
+        term_rows(),
+        code_rows(),
+        notation_rows(),
+        playground_rows(),
+        *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)], open=False)] if robot.panes else []),
         *(
             Folder(title, [HtmlRow(partial(_all, kind), computed=True)], open=kind == "tool")
             for kind, title in KINDS.items()
@@ -61,67 +75,60 @@ def rows(robot: Robot) -> list[Row]:
     ]
 
 
-KINDS = {
+MEANINGS = Text(en="What the numbers mean", pt_BR="O que os números significam")
+KINDS: dict[SelectionKind, Text] = {
     "tool": Text(en="End-effector motor", pt_BR="Motor do efetuador"),
     "joint": Text(en="Joint screw axes", pt_BR="Eixos helicoidais das juntas"),
     "plane": Text(en="Planes", pt_BR="Planos"),
     "point": Text(en="Monitored points", pt_BR="Pontos monitorados"),
 }
-FORMULAS = {
-    "tool": r"M = g + \tfrac{1}{2}\, t\, g\, e",
-    "joint": r"\ell = v_x e_2e_3 + v_y e_3e_1 + v_z e_1e_2 + u_x e_1e + u_y e_2e + u_z e_3e",
-    "plane": r"\pi = n_x e_1 + n_y e_2 + n_z e_3 + d\, e",
-    "point": r"p = e_1e_2e_3 + x\, e_2e_3e + y\, e_3e_1e + z\, e_1e_2e",
-}
-
-SAID = {kind: formula_html(formula) for kind, formula in FORMULAS.items()}
-READING = Markup('<div class="helicoide-reading"><header>%s</header>%s</div>')
+NATURES: dict[SelectionKind, Nature] = {"tool": "motor", "joint": "line", "plane": "plane", "point": "point"}
 
 
 def _legend(view: View) -> Markup:
-    names = (Markup('<i class="g{}">{}</i>').format(k, name[view.seat.language]) for k, name in enumerate(GRADES))
-    return Markup('<p class="helicoide-legend">{}</p>').format(Markup(" ").join(names))
+    language, notation = view.seat.language, view.seat.notation
+    null = "e" if notation.naming == "factors" else "e₀"
+    said = INTRODUCTION[notation.algebra].format(null=null)[language]
+    names = (Markup('<i class="g{}">{}</i>').format(k, name[language]) for k, name in enumerate(GRADES))
+    legend = Markup('<p class="helicoide-legend">{}</p>').format(Markup(" ").join(names))
+    return html.note(said) + legend
 
 
-def _shown(view: View, reading: Reading) -> Markup:
-    return READING % (
-        _header(reading, view.seat.language),
-        coefficient_grid(reading.at(view.state), view.seat.language),
+def _meanings(view: View) -> Markup:
+    """Each coefficient of the inspected object that is not zero, in words; without an object, the tool's."""
+    element = inspected(view) or readout.elements(view.state)[0]
+    language, values = view.seat.language, element.values(view.state)
+    lines = (
+        Markup("<li><b>{} = {}</b> {}</li>").format(
+            blade_words(one.name),
+            coefficient(one.sign * float(values[one.place]), language),
+            readout.meaning(element.nature, values, one.blade, one.sign)[language],
+        )
+        for one in readout.coefficients(element.nature, view.seat.notation)
+        if abs(values[one.place]) >= ZERO
+    )
+    first = readout.INTRODUCTION[language] if element.nature == "motor" else ""
+    return Markup("<div class='helicoide-note helicoide-meanings'><p>{}</p><ul>{}</ul></div>").format(
+        first, Markup("").join(lines)
     )
 
 
-@lru_cache(maxsize=1024)  # panels need it several times a second, and it does not change
-def _header(reading: Reading, language: Language) -> Markup:
-    return Markup("{}<span>{}</span>").format(formula_html(reading.symbol, reading.index), reading.title[language])
-
-
-def _key(view: View) -> str | None:
-    """The key of the highlighted multivector; None if it does not exist any more."""
-    reading = readout.chosen_reading(view.state, view.seat.selected)
-    return None if reading is None else reading.key
-
-
-def _selected(view: View) -> Markup:
-    reading = readout.chosen_reading(view.state, view.seat.selected)
-    if reading is None:
-        return Markup("")
-    return Markup('<div class="helicoide-lit">{}</div>').format(_shown(view, reading))
-
-
-def _all(kind: str, view: View) -> Markup:
-    readings = [reading for reading in readout.readings(view.state) if reading.key.startswith(kind)]
-    return SAID[kind] + Markup("").join(_shown(view, reading) for reading in readings)
+def _all(kind: SelectionKind, view: View) -> Markup:
+    found = [element for element in readout.elements(view.state) if element.selection.kind == kind]
+    formula = general_formula(NATURES[kind], view.seat.notation)
+    return formula + Markup("").join(shown(view, element) for element in found)
 
 
 def _pair(view: View) -> Contact:
-    """The point and the plane of the distance: the highlighted one and the one nearest to it, or the nearest pair."""
-    kind, _, number = (_key(view) or "").partition(" ")
-    table = readout.plane_distances(view.state)
-    if kind == "plane":
-        return Contact(int(number), int(table[:, int(number)].argmin()))
-    if kind == "point":
-        return Contact(int(table[int(number)].argmin()), int(number))
-    return readout.nearest_point_and_plane(view.state)
+    """The point and the plane of the distance: the inspected one and the one nearest to it, or the nearest pair."""
+    element, table = inspected(view), readout.plane_distances(view.state)
+    match None if element is None else element.selection:
+        case Selection("plane", k):
+            return Contact(k, int(table[:, k].argmin()))
+        case Selection("point", j):
+            return Contact(int(table[j].argmin()), j)
+        case _:
+            return readout.nearest_point_and_plane(view.state)
 
 
 def _distance(view: View) -> Markup:
@@ -129,7 +136,8 @@ def _distance(view: View) -> Markup:
     pair = _pair(view)
     pane, point = state.problem.planes.panes[pair.plane], state.robot.monitored[pair.point]
     product, language = readout.distance_product(state, pair.point, pair.plane), view.seat.language
+    known = readout.coefficients("point", Notation(naming=view.seat.notation.naming))
     pair_said = BETWEEN.format(point=point.title, name=pane.name, pane=pane.title)[language]
     return formula_html(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e") + Markup(
         '<div class="helicoide-reading"><p>{}: <b>{} mm</b></p>{}</div>'
-    ).format(pair_said, number_text(500 * product[-1], ".1f")[language], coefficient_grid(product, language))
+    ).format(pair_said, number_text(500 * product[-1], ".1f")[language], coefficient_grid(product, known, language))

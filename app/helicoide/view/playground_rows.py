@@ -1,0 +1,120 @@
+"""The quaternion playground: two rotations, their quaternions, the ways between them, and the order of composition."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from helicoide.geometry import rotation
+from helicoide.geometry.quaternion_paths import lerp, lerp_speed, slerp, slerp_speed
+from helicoide.seat import AxisAngle
+from helicoide.text import Text, number_text
+from helicoide.view.formula import formula_html
+from helicoide.view.layers import playground as layer
+from helicoide.view.pose_form_rows import quaternion_tex
+from helicoide.view.rows import Checkbox, Folder, ForSeat, HtmlRow, PageRequest, Row, Slider, VectorRow, View
+
+TITLE = Text(en="Quaternion playground", pt_BR="Laboratório de quatérnios")
+SHOW = Text(en="Show beside the arm", pt_BR="Mostrar ao lado do braço")
+ABOUT = Text(
+    en="q = cos(φ/2) + sin(φ/2) n turns the frame by φ about the unit axis n. The ball shows the vector part of q: its "
+    "direction is n, its distance from the centre sin(φ/2). −q is the opposite point and the same rotation.",
+    pt_BR="q = cos(φ/2) + sen(φ/2) n gira o referencial de φ em torno do eixo unitário n. A bola mostra a parte "
+    "vetorial de q: sua direção é n e sua distância ao centro, sen(φ/2). −q é o ponto oposto e a mesma rotação.",
+)
+AXIS = Text(en="Axis of {q}", pt_BR="Eixo de {q}")
+ANGLE = Text(en="Angle of {q} [°]", pt_BR="Ângulo de {q} [°]")
+OPPOSITE = Text(en="Write −q₁ instead of q₁", pt_BR="Escrever −q₁ em vez de q₁")
+WAY = Text(en="Way from q₁ to q₂, t", pt_BR="Caminho de q₁ a q₂, t")
+WAYS = Text(
+    en="Slerp (blue) follows the sphere at constant speed, {slerp}° per unit of t. Lerp (orange) takes the straight "
+    "chord and must be stretched to length 1: its length here is {length}, and it turns at {lerp}° per unit of t, slow "
+    "at the ends and fast in the middle. The dots are at equal steps of t.",
+    pt_BR="O slerp (azul) segue a esfera com velocidade constante, {slerp}° por unidade de t. O lerp (laranja) vai "
+    "pela corda e precisa ser esticado até o comprimento 1: aqui mede {length} e gira a {lerp}° por unidade de t, "
+    "devagar nas pontas e depressa no meio. As marcas estão em passos iguais de t.",
+)
+LONG_WAY = Text(
+    en="q₁·q₂ is negative: this is the longer way. Write −q₁ for the shorter one.",
+    pt_BR="q₁·q₂ é negativo: este é o caminho mais longo. Escreva −q₁ para o mais curto.",
+)
+ORDER = Text(
+    en="Order matters: q₁q₂ turns by q₂ first, q₂q₁ by q₁ first. The two results differ by {angle}°.",
+    pt_BR="A ordem importa: q₁q₂ gira primeiro por q₂, q₂q₁ primeiro por q₁. Os dois resultados diferem de {angle}°.",
+)
+
+
+def playground_rows() -> Folder:
+    """The two rotations by axis and angle, and what is to be seen of them."""
+    rows: list[Row] = [
+        Checkbox(
+            SHOW,
+            lambda view: view.seat.visible_layers[layer.NAME],
+            lambda on: ForSeat(lambda seat: seat.with_layer(layer.NAME, on)),
+        ),
+        HtmlRow(lambda view: Markup("<p class='helicoide-note'>{}</p>").format(ABOUT[view.seat.language])),
+        *_rotation_rows("q₁", lambda view: view.seat.playground.first, _first),
+        Checkbox(OPPOSITE, lambda view: view.seat.playground.opposite, lambda on: _changed(opposite=on)),
+        *_rotation_rows("q₂", lambda view: view.seat.playground.second, _second),
+        Slider(WAY, 0.0, 1.0, 0.01, lambda view: view.seat.playground.t, lambda t: _changed(t=float(t))),
+        HtmlRow(_words),
+    ]
+    return Folder(TITLE, rows, open=False)
+
+
+def _changed(**values: Any) -> PageRequest:
+    return ForSeat(lambda seat: replace(seat, playground=replace(seat.playground, **values)))
+
+
+Change = Callable[[Callable[[AxisAngle], AxisAngle]], PageRequest]
+
+
+def _first(change: Callable[[AxisAngle], AxisAngle]) -> PageRequest:
+    return ForSeat(lambda seat: replace(seat, playground=replace(seat.playground, first=change(seat.playground.first))))
+
+
+def _second(change: Callable[[AxisAngle], AxisAngle]) -> PageRequest:
+    return ForSeat(
+        lambda seat: replace(seat, playground=replace(seat.playground, second=change(seat.playground.second)))
+    )
+
+
+def _rotation_rows(name: str, of: Callable[[View], AxisAngle], change: Change) -> list[Row]:
+    def axis(view: View) -> tuple[float, float, float]:
+        x, y, z = (round(value, 3) for value in of(view).axis)
+        return x, y, z
+
+    return [
+        VectorRow(AXIS.format(q=name), 0.1, axis, lambda _, given: change(lambda one: one.about(given))),
+        Slider(
+            ANGLE.format(q=name),
+            -360.0,
+            360.0,
+            1.0,
+            lambda view: float(np.degrees(of(view).angle)),
+            lambda degrees: change(lambda one: replace(one, angle=float(np.radians(degrees)))),
+        ),
+    ]
+
+
+def _words(view: View) -> Markup:
+    play, language = view.seat.playground, view.seat.language
+    p, q = play.quaternions
+    middle = lerp(p, q, play.t)
+    ways = WAYS.format(
+        slerp=number_text(float(np.degrees(slerp_speed(p, q))), ".0f"),
+        lerp=number_text(float(np.degrees(lerp_speed(p, q, play.t))), ".0f"),
+        length=number_text(float(np.linalg.norm(middle)), ".3f"),
+    )
+    first, second = rotation.multiply(np.array([p, q]), np.array([q, p]))
+    between = np.degrees(2 * np.arccos(min(1.0, abs(float(first @ second)))))
+    named = {"q_1": p, "q_2": q, "q(t)": slerp(p, q, play.t), "q_1q_2": first, "q_2q_1": second}
+    formulas = Markup("").join(
+        formula_html(f"{name} {quaternion_tex(value, language).removeprefix('q ')}") for name, value in named.items()
+    )
+    said = [ways, *([LONG_WAY] if p @ q < 0 else []), ORDER.format(angle=number_text(float(between), ".1f"))]
+    return formulas + Markup("").join(Markup("<p class='helicoide-note'>{}</p>").format(one[language]) for one in said)

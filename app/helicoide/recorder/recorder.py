@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from threading import Event, Thread
 from time import time_ns
@@ -42,6 +43,19 @@ BUG = Text(
 )
 
 
+@dataclass(frozen=True)
+class RecorderStatus:
+    """What a recorder does: whether it still writes, how much it has written, and why it ended by itself, if it did.
+
+    seconds of the arm's own time and megabytes are rounded, so that equal ones need not be shown again.
+    """
+
+    running: bool
+    seconds: int
+    megabytes: float
+    reason: Text | None
+
+
 class Recorder:
     """Records an arm from a state on, until `end` or until a limit, a fault of the disk or another arm ends it.
 
@@ -66,6 +80,11 @@ class Recorder:
     def running(self) -> bool:
         """Whether states are still written."""
         return self._thread.is_alive()
+
+    @property
+    def status(self) -> RecorderStatus:
+        """What it does now."""
+        return RecorderStatus(self.running, int(self.seconds), round(self.size / 1e6, 1), self.reason)
 
     def end(self, wait: float | None = None) -> None:
         """Write what is queued and end the recording. wait: longest time to wait for this, s; None: do not wait."""

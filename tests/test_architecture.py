@@ -29,7 +29,7 @@ advance
 foresight · readout · gate · lesson
 perception
 studies
-export · jobs
+export · jobs · recorder
 view
 session
 contributions

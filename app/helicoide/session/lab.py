@@ -17,13 +17,14 @@ from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
 from helicoide.session.display import Display
 from helicoide.session.preparing import compiled, compiling, prepare
+from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
 from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
-from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
+from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, introduce
 from helicoide.view.link import HelicoideFirstLesson, PageMessage, connection_of
 from helicoide.view.panels.lesson import first_lesson
 from helicoide.view.rows import PageRequest, View
@@ -60,6 +61,7 @@ class Lab:
         self.pen = asyncio.Lock()
         self.bays = Bays(robot, self.clock.wake, self.searcher, self._put_up)
         self.shared = self.bays.shared
+        self.recording = RecordingRequests(self.bays, self.seats, self.visitors, self._news)
         self.said = compiling(0)
         self._compilation = ProcessJob(compiled)
         self._signalled = False
@@ -77,6 +79,7 @@ class Lab:
         """Stop the arms, the jobs and the server. Call it from another thread than the event loop's."""
         self._compilation.stop()
         self.studies.close()
+        self.recording.recorders.close()
         for bay in self.bays:
             bay.mapping.close()
         self.clock.end()
@@ -113,12 +116,7 @@ class Lab:
         """Show a text in every window, also in those that open later, until the kernels are compiled."""
         self.said = text
         for visitor in self.visitors.values():
-            self._say_to(visitor)
-
-    def _say_to(self, visitor: Visitor) -> None:
-        seat = visitor.place.seat
-        notice = Notice(seat.language, self.said, "warn", projector=seat.projector)
-        self.control.push(visitor.window.link.key, notice)
+            visitor.say(self.control, self.said)
 
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())
@@ -180,7 +178,8 @@ class Lab:
         )
         visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
         if not self.ready:
-            self._say_to(visitor)
+            visitor.say(self.control, self.said)
+        self.recording.enter(place)
         await window.furnish(visitor.view(self.ready))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
@@ -197,6 +196,7 @@ class Lab:
             visitor.detach()
             if visitor.place.windows == 0:
                 self.studies.forget(visitor.place)
+                self.recording.recordings.forget(visitor.place)
 
     def view(self, window: Window) -> View:
         """What a window shows now."""
@@ -238,6 +238,8 @@ class Lab:
                 self._move(visitor, on)
             case rows.Save(name, content):
                 visitor.window.client.send_file_download(name, content)
+            case request if isinstance(request, rows.RecordingRequest):
+                self.recording.do(visitor, request)
             case _:
                 visitor.bay.do(request)
 
@@ -265,8 +267,7 @@ class Lab:
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab of a window is in front."""
-        visitor = self._with(key)
-        if visitor is not None:
+        if (visitor := self._with(key)) is not None:
             visitor.window.tab = tab
             visitor.rewrite()
 
@@ -283,6 +284,7 @@ class Lab:
                 visitor.window.tell(refusal.text)
                 return
         visitor.place.at_own = own
+        self.recording.recordings.meet(visitor.place)
         if visitor.settled:
             visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
 
@@ -295,3 +297,4 @@ class Lab:
         for visitor in self.visitors.values():
             if visitor.bay.display is display:
                 visitor.meet()
+                self.recording.recordings.meet(visitor.place)

@@ -6,6 +6,7 @@ import secrets
 from dataclasses import dataclass, field
 from time import monotonic
 
+from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState
 from helicoide.seat import Seat
 from helicoide.session.workcell import Workcell
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
@@ -18,7 +19,7 @@ KEPT, LIVES_ON = 86_400.0, 600.0
 
 @dataclass(eq=False)
 class Place:
-    """The seat of a user, its study panel, and its own workcell, None if it never asked for one.
+    """The seat of a user, its study and recording panels, and its own workcell, None if it never asked for one.
 
     at_own: whether its windows show the own workcell; windows: number of open windows; left: time at which the last
     one closed, s of `monotonic`.
@@ -26,6 +27,7 @@ class Place:
 
     seat: Seat
     study_panel: StudyPanelState = NO_STUDY
+    recordings: RecordingPanelState = NO_RECORDINGS
     own: Workcell | None = None
     at_own: bool = False
     windows: int = 0

@@ -12,6 +12,8 @@ from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
 from helicoide.state import Drag
+from helicoide.text import Text
+from helicoide.view.channel import ControlChannel, Notice
 from helicoide.view.rows import View
 from helicoide.view.window import CLEARED, Window
 
@@ -31,8 +33,10 @@ class Visitor:
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
-        place = self.place
-        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, self.bay.workcell is place.own)
+        place, workcell = self.place, self.bay.workcell
+        recorder = None if workcell.recorder is None else workcell.recorder.status
+        own = workcell is place.own
+        return View(workcell.state, place.seat, place.study_panel, ready, own, place.recordings, recorder)
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""
@@ -67,6 +71,11 @@ class Visitor:
         if bay.workcell.state.robot is not robot and not self.window.gone:
             await self.window.fill(view(self.window))
         await self.attach(bay)
+
+    def say(self, control: ControlChannel, text: Text) -> None:
+        """Show a text in the status line, until the next one."""
+        seat = self.place.seat
+        control.push(self.window.link.key, Notice(seat.language, text, "warn", projector=seat.projector))
 
     def write(self) -> None:
         """Have the rows of the window updated if they have changed."""

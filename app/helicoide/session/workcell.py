@@ -13,6 +13,7 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.command import FollowPath
 from helicoide.foresight import at_rest, foreseen, leads_elsewhere, search_posture, wants_search
+from helicoide.recorder.recorder import Recorder
 from helicoide.state import State, Update
 from helicoide.text import Text
 
@@ -30,12 +31,13 @@ class Workcell:
     """An arm that is advanced tick by tick. Only the clock's thread replaces its state.
 
     wake: wakes that thread; searcher: runs posture searches; connected: whether a real arm follows, which the Stop of
-    every window then stops.
+    every window then stops; recorder: the last recording of the arm, running or ended, None before the first one.
     """
 
     def __init__(self, state: State, wake: Callable[[], None], searcher: Executor) -> None:
         self.state, self.wake, self.searcher = state, wake, searcher
         self.connected = False
+        self.recorder: Recorder | None = None
         self.paused = False
         self.resting = False
         self.ticks = 0
@@ -92,6 +94,8 @@ class Workcell:
         before = self.state
         self.state = self._tried(lambda state: advance(state, TICK), otherwise=gate.stop())
         self.ticks += 1
+        if self.recorder is not None:
+            self.recorder.take(self.state)
         if wants_search(self.state) and not self._searching:
             self._searching = True
             self.searcher.submit(self._search, self.state)

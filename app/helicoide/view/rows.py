@@ -11,6 +11,8 @@ from viser import IconName
 
 from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
+from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState, RecordingPanelUpdate
+from helicoide.recorder.recorder import RecorderStatus
 from helicoide.seat import Seat, SeatUpdate
 from helicoide.state import State, Update
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelUpdate
@@ -24,7 +26,8 @@ Key = TypeVar("Key", bound=Hashable)
 class View:
     """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
-    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one.
+    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
+    recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none.
     """
 
     state: State
@@ -32,6 +35,8 @@ class View:
     study_panel: StudyPanelState = NO_STUDY
     ready: bool = True
     own: bool = False
+    recordings: RecordingPanelState = NO_RECORDINGS
+    recorder: RecorderStatus | None = None
 
     def handles_moved(self, old: View | None) -> bool:
         """Whether handles may have moved since an older view, or another pointer may hold one."""
@@ -119,6 +124,42 @@ class PlayFastest:
 
 
 @dataclass(frozen=True)
+class RecordArm:
+    """A request to record the arm (on), or to end its recording (off)."""
+
+    on: bool
+
+
+@dataclass(frozen=True)
+class ForRecordingPanel:
+    """A request to change what is shown of the open recording."""
+
+    update: RecordingPanelUpdate
+
+
+@dataclass(frozen=True, eq=False)
+class OpenRecording:
+    """A request to open a recording of the folder, none for an empty name, or a file with this content."""
+
+    name: str
+    content: bytes | None = None
+
+
+@dataclass(frozen=True)
+class DeleteRecording:
+    """A request to delete a recording of the folder."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class SaveRecording:
+    """A request to download the open recording as a file of this kind."""
+
+    kind: Literal["mcap", "csv"]
+
+
+@dataclass(frozen=True)
 class Stop:
     """A request to stop all motion."""
 
@@ -145,6 +186,7 @@ class Save:
     content: bytes
 
 
+RecordingRequest = RecordArm | ForRecordingPanel | OpenRecording | DeleteRecording | SaveRecording
 PageRequest = (
     ForArm
     | ForSeat
@@ -158,6 +200,7 @@ PageRequest = (
     | TrySingular
     | PlayTaught
     | PlayFastest
+    | RecordingRequest
     | Stop
     | OwnArm
     | ShowTab

@@ -241,5 +241,5 @@ def _same(old: View, new: View) -> bool:
         old.state is new.state
         and old.seat is new.seat
         and old.study_panel is new.study_panel
-        and old.ready == new.ready
-    ) and old.own == new.own
+        and old.recordings is new.recordings
+    ) and (old.ready, old.own, old.recorder) == (new.ready, new.own, new.recorder)

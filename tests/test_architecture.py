@@ -18,7 +18,7 @@ PACKAGE = ROOT / "app" / "helicoide"
 # A room is a module or a package directly in `helicoide`. It may import the rooms in the rows above its own.
 ROWS = """
 text
-arrays · content · files · kernels · markup · solids
+arrays · content · files · kernels · markup · sheet · solids
 geometry
 kinematics
 confinement · trajectory
@@ -27,7 +27,7 @@ command · seat · comparison
 state
 advance
 foresight · readout · gate · lesson
-perception
+perception · console
 studies
 export · jobs · recorder
 view

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tests.test_architecture import FILES, LESSON_FILES, PACKAGE, name_of, tree
 
-OURS = {"HelicoideError", "Broken", "NotDrawn"}
+OURS = {"HelicoideError", "ExpressionError", "Broken", "NotDrawn"}
 # Attributes of an error that may be read, and functions that may take it: those that give texts in both languages.
 ASKED = {"errno", "code", "lineno", "offset", "start", "end", "object", "text"}
 LOG = {"log.warning", "log.error"}

@@ -12,6 +12,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
 from helicoide.session.display import Display
 from helicoide.session.mapping import MapJob
+from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures, to_singular_posture
 from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.seats import Place
@@ -83,6 +84,8 @@ class Bay:
                 self.mapping.begin(kind)
             case rows.ListPostures():
                 self.arms.find(list_postures)
+            case rows.PlanMotion(update, title):
+                self.arms.find(lambda state: plan_motion(state, update, title))
             case rows.TrySingular():
                 self.arms.work_out(to_singular_posture)
             case rows.PlayTaught():

@@ -14,12 +14,14 @@ from helicoide.state import State
 from helicoide.view import shapes
 from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import ControlChannel, Notice
+from helicoide.view.layers import any_moves
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.window import CLEARED, Window
 
 # s: the shortest time between two frames, and between two updates of rows
 FRAME, WORDS = 0.016, 0.2
+MOVES = 0.05  # s between two frames if the arm is at rest and a layer moves by itself
 # Pauses after drawing and after writing, as multiples of the time that these took.
 SPARE, SPARE_WORDS = 0.3, 3.0
 
@@ -128,6 +130,8 @@ class Display:
         for window in tuple(self.windows):
             if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
+                if any_moves(view):
+                    asyncio.get_running_loop().call_later(MOVES, self._moved.set)
             window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
+from time import monotonic
 
 from helicoide import gate, lesson
 from helicoide.seat import SeatUpdate
@@ -32,7 +33,8 @@ class Visitor:
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
         place = self.place
-        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, self.bay.workcell is place.own)
+        own = self.bay.workcell is place.own
+        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, own, monotonic())
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""

@@ -24,7 +24,8 @@ Key = TypeVar("Key", bound=Hashable)
 class View:
     """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
-    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one.
+    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
+    time: s, for layers that move while the arm is at rest.
     """
 
     state: State
@@ -32,6 +33,7 @@ class View:
     study_panel: StudyPanelState = NO_STUDY
     ready: bool = True
     own: bool = False
+    time: float = 0.0
 
     def handles_moved(self, old: View | None) -> bool:
         """Whether handles may have moved since an older view, or another pointer may hold one."""
@@ -109,6 +111,14 @@ class TrySingular:
 
 
 @dataclass(frozen=True)
+class PlanMotion:
+    """A request to plan the motion that a request would cause, and to show it; title: where it leads."""
+
+    update: Update
+    title: Text
+
+
+@dataclass(frozen=True)
 class PlayTaught:
     """A request to follow the taught waypoints."""
 
@@ -156,6 +166,7 @@ PageRequest = (
     | CountMap
     | ListPostures
     | TrySingular
+    | PlanMotion
     | PlayTaught
     | PlayFastest
     | Stop

@@ -5,12 +5,14 @@ which writes only what changed. A layer that the user can show and hide is not s
 
 - TITLE, its name on the page, and SAID, one line that says what is seen, in words and units;
 - KIND, a key of `KINDS`: the heading under which it is listed; SHOWN, whether it is shown at first;
-- `rows(robot)`, if it has settings; `moves(view)`, if it moves while the arm is at rest: whether it does so now.
+- `rows(robot)`, if it has settings; `moves(view)`, if it moves while the arm is at rest: whether it does so now;
+  `needs(view)`, if it shows what takes long to compute: the request for it, or None if that is there.
 """
 
 from __future__ import annotations
 
 import logging
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
@@ -21,7 +23,7 @@ import viser
 from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
-from helicoide.view.rows import Act, View
+from helicoide.view.rows import Act, PageRequest, View
 from helicoide.view.shapes import Shape
 
 DRAWN_FOR = 0.82
@@ -81,6 +83,15 @@ def any_moves(view: View) -> bool:
     return any(
         layer.moves(view) for layer in optional() if hasattr(layer, "moves") and view.seat.visible_layers[layer.NAME]
     )
+
+
+def needed(view: View) -> Iterator[PageRequest]:
+    """Requests for what the shown layers of a view need and its state does not have."""
+    for layer in optional():
+        if hasattr(layer, "needs") and view.ready and view.seat.visible_layers[layer.NAME]:
+            request = layer.needs(view)
+            if request is not None:
+                yield request
 
 
 class Layers:

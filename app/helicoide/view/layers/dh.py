@@ -29,8 +29,8 @@ SAID = Text(
 
 AXES, RADIUS = 0.08, 0.07  # length of the axes and radius of the arcs, × size, m
 NOTHING = 1e-9  # rad or m: what is smaller is not drawn
-ANGLE = Text(en="{symbol}{n} = {value:.1f}°", pt_BR="{symbol}{n} = {value:.1f}°")
-LENGTH = Text(en="{symbol}{n} = {value:.0f} mm", pt_BR="{symbol}{n} = {value:.0f} mm")
+ANGLE = Text(en="{symbol}{n} {value:.1f}°", pt_BR="{symbol}{n} {value:.1f}°")
+LENGTH = Text(en="{symbol}{n} {value:.0f} mm", pt_BR="{symbol}{n} {value:.0f} mm")
 COLOURS = {"θ": ORANGE, "d": BLUE, "a": GREEN, "α": PURPLE}
 
 

@@ -19,7 +19,7 @@ SHOWN = False
 KIND = "confinement"
 SAID = Text(
     en="The shortest lines to each plane, from the nearest monitored point, and to each obstacle, from the nearest "
-    "body of the arm, in mm. Thin blue: free; orange: within the warning distance; thick red: at the smallest distance.",
+    "body of the arm, in mm. Thin blue: free; orange: within the warning distance; thick red: at the least one.",
     pt_BR="As linhas mais curtas até cada plano, desde o ponto monitorado mais próximo, e até cada obstáculo, desde o "
     "corpo mais próximo do braço, em mm. Azul fina: livre; laranja: na distância de aviso; vermelha grossa: na mínima.",
 )

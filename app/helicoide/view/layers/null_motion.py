@@ -31,8 +31,8 @@ SAID = Text(
     "requer; sem “Manter a orientação”, só a posição conta. Sem espaço nulo nada é desenhado.",
 )
 
-# rad/s, and rad, of the joint velocities and of the joint that moves most; for prismatic joints in reaches. Longest time
-# step, s: after a pause the ghost goes on where it was.
+# rad/s, and rad, of the joint velocities and of the joint that moves most; for prismatic joints in reaches. Longest
+# time step, s: after a pause the ghost goes on where it was.
 SPEED, AMPLITUDE, LONGEST_STEP = 0.5, 0.7, 0.1
 
 

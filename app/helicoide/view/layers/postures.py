@@ -12,7 +12,7 @@ from helicoide.geometry import rotation
 from helicoide.ik.postures.choice import OUT_OF_LIMITS
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.state import PostureList, State
+from helicoide.state import PostureList
 from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.figures import GREEN, GREY, Names
@@ -34,6 +34,7 @@ SAID = Text(
 
 SAME = 1e-6  # m, and entries of the rotation: two goals that differ by less are the same
 OPACITY = 0.35
+TOGETHER = 3  # decimals, m: ghosts whose elbows are at the same place share one label
 BAR = 0.016  # radius of the bars × size, m
 
 
@@ -53,14 +54,15 @@ def ghost_bars(robot: Robot, poses: Array) -> Array:
     return np.asarray(bars[np.linalg.norm(bars[:, 1] - bars[:, 0], axis=1) > 1e-6])
 
 
-def listing_is_due(state: State) -> bool:
-    """Whether the arm is at rest and the list is not that of its target."""
+def needs(view: View) -> ListPostures | None:
+    """The list, if the arm is at rest and has none for its target."""
+    state, listing = view.state, view.state.postures.listing
     if state.arm.moving or state.arm.parked or state.request.drag is not None:
-        return False
-    listing = state.postures.listing
-    if listing is None or listing.with_orientation != state.request.with_orientation:
-        return True
-    return bool(np.abs(listing.T_world_goal - readout.target_pose(state)).max() > SAME)
+        return None
+    if listing is not None and listing.with_orientation == state.request.with_orientation:
+        missed = np.abs(listing.T_world_goal - readout.target_pose(state)).max()
+        return ListPostures() if missed > SAME else None
+    return ListPostures()
 
 
 class PosturesLayer(OptionalLayer):
@@ -71,19 +73,10 @@ class PosturesLayer(OptionalLayer):
         self.mesh: viser.BatchedMeshHandle | None = None
         self.names = Names(stage, f"/{name}")
         self.places: list[int] = []
-        self.requested: object = None
 
     def depends(self, view: View) -> tuple[object, ...]:
         """The list."""
         return (view.state.postures.listing,)
-
-    def update(self, old: View | None, new: View) -> None:
-        """Draw the list, and ask for another one when the target has changed."""
-        super().update(old, new)
-        due = (new.state.request.command, new.state.request.with_orientation)
-        if new.ready and new.seat.visible_layers[self.name] and due != self.requested and listing_is_due(new.state):
-            self.requested = due
-            self.stage.act(ListPostures())
 
     def draw(self, view: View) -> None:
         """Make the ghosts of a list."""
@@ -98,8 +91,8 @@ class PosturesLayer(OptionalLayer):
         outside = [listing.rows[place].dropped is OUT_OF_LIMITS for place in self.places]
         self.mesh = _bar_mesh(self.stage, f"/{self.name}/bars", bars, np.where(np.array(outside)[:, None], GREY, GREEN))
         bind.on_instance(self.mesh, self._clicked)
-        ends = [_elbow(self.stage.robot, listing, place) for place in range(len(listing.rows))]
-        self.names.write([str(place + 1) for place in range(len(listing.rows))], ends)
+        named = _named(self.stage.robot, listing)
+        self.names.write(list(named.values()), list(map(np.array, named)))
 
     def _clicked(self, instance: int) -> None:
         if instance in range(len(self.places)):
@@ -112,10 +105,14 @@ def _bars(robot: Robot, listing: PostureList) -> tuple[Array, list[int]]:
     return np.concatenate(every), [place for place, bars in enumerate(every) for _ in bars]
 
 
-def _elbow(robot: Robot, listing: PostureList, place: int) -> Array:
-    """Where the number of a ghost stands: at the joint whose position differs most between the postures."""
+def _named(robot: Robot, listing: PostureList) -> dict[tuple[float, ...], str]:
+    """Numbers by the place, m, where they stand: at the joint whose position differs most between the postures."""
     points = np.array([link_poses(robot.chain, row.q)[1:, :3, 3] for row in listing.rows])
-    return np.asarray(points[place, points.var(axis=0).sum(axis=1).argmax()])
+    elbows = points[:, points.var(axis=0).sum(axis=1).argmax()].round(TOGETHER)
+    named: dict[tuple[float, ...], str] = {}
+    for number, elbow in enumerate(map(tuple, elbows.tolist()), start=1):
+        named[elbow] = f"{named[elbow]}, {number}" if elbow in named else str(number)
+    return named
 
 
 def _bar_mesh(stage: Stage, name: str, bars: Array, colours: Array) -> viser.BatchedMeshHandle:

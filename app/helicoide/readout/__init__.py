@@ -17,9 +17,9 @@ from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 from helicoide.readout.velocities import (
     balancing_torques,
+    jacobian_now,
     position_analysis,
     slow_directions,
-    tool_jacobian,
     tool_twist,
     twist_axis,
     wrench_axis,
@@ -40,6 +40,7 @@ __all__ = [
     "dimension_lines",
     "distance_product",
     "instruments",
+    "jacobian_now",
     "limited_by",
     "limiting",
     "method_modes",
@@ -54,7 +55,6 @@ __all__ = [
     "status",
     "target_pose",
     "too_near",
-    "tool_jacobian",
     "tool_twist",
     "twist_axis",
     "wrench_axis",

@@ -189,10 +189,10 @@ def _of_layer(layer: ModuleType, robot: Robot) -> list[Row]:
     """A checkbox, the line that says what is seen while the layer is shown, and the settings of the layer."""
     name: str = layer.NAME
 
-    def said(view: View) -> Markup:
+    def line(view: View) -> Markup:
         return html.note(layer.SAID[view.seat.language]) if view.seat.visible_layers[name] else Markup("")
 
-    return [_show(name, layer.TITLE), HtmlRow(said), *(layer.rows(robot) if hasattr(layer, "rows") else ())]
+    return [_show(name, layer.TITLE), HtmlRow(line), *(layer.rows(robot) if hasattr(layer, "rows") else ())]
 
 
 def _show(name: str, title: Text) -> Checkbox:

@@ -21,6 +21,7 @@ from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.enclosure_reading import available_readings, camera_cloud, plane_in_cloud
 from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
+from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures as every_posture
 from helicoide.session.postures import to_singular_posture
 from helicoide.session.preparing import rehearse
@@ -43,6 +44,7 @@ from helicoide.view.rows import (
     HtmlRow,
     ListPostures,
     PageRequest,
+    PlanMotion,
     PlayFastest,
     PlayTaught,
     Row,
@@ -83,6 +85,8 @@ class Lab:
                 self.post(along_fastest(self.state))
             case ListPostures():
                 self.post(every_posture(self.state))
+            case PlanMotion(update, title):
+                self.post(plan_motion(self.state, update, title))
             case TrySingular():
                 self.post(to_singular_posture(self.state))
             case CountMap(kind):

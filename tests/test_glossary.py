@@ -16,7 +16,7 @@ GLOSSARY = (PACKAGE.parents[1] / "CONTRIBUTING.md").read_text("utf-8").partition
 # Names that a contract asks of each file of a kind.
 CONTRACT = {
     "Options", "Memory", "applies", "build", "cost", "find", "gradient", "rows", "run", "start", "step", "names",
-    "named", "faults", "product", "sandwich", "coordinates", "main",
+    "named", "faults", "product", "sandwich", "coordinates", "main", "moves", "needs",
 }  # fmt: skip
 FORMER_KEY = ("app/helicoide/kinematics/robot_file.py", "ours")  # of robot.toml, still read
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")

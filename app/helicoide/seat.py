@@ -84,7 +84,8 @@ class Seat:
     m, world frame, clicked for a plane, None while no plane is picked; map_kind: the chosen map of the workspace; cut:
     where maps are cut, −1 to 1 in units of the reach; stages: the formulation that is shown joint by joint, None for
     none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
-    way: how the next waypoint is reached from the one before.
+    move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
+    effector that a layer balances.
     """
 
     token: str
@@ -105,6 +106,7 @@ class Seat:
     stages: Stages | None = None
     cloud_unit: str = ""
     projector: bool = False
+    wrench: tuple[float, ...] = (0.0, 0.0, -10.0, 0.0, 0.0, 0.0)
     move_type: str = "joints"
 
     def with_layer(self, name: str, on: bool) -> Seat:

@@ -152,13 +152,26 @@ class Postures:
 
 
 @dataclass(frozen=True, eq=False)
+class Plan:
+    """A motion that is planned and not yet made: joint values q (k, n), rad or m, at times (k,), s, from rest to rest.
+
+    problem: the planes, obstacles and limits for which it was planned; title: where it leads.
+    """
+
+    title: Text
+    times: Array
+    q: Array
+    problem: Problem
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """One arm and its scene at one instant. Immutable: a change makes a new State.
 
     problem: the arm, its limits, and the planes, obstacles and entry point; t: time, s; taught: the waypoints;
     postures: those of a goal, and the choice between them; compared: the second arm; clouds: the clouds that were read,
-    by the name of the plane; workspace: its maps; ball: the ball to grasp; notice: why the last request was refused,
-    another message, or None.
+    by the name of the plane; workspace: its maps; ball: the ball to grasp; plan: a motion that is shown before it is
+    made; notice: why the last request was refused, another message, or None.
     """
 
     problem: Problem
@@ -170,6 +183,7 @@ class State:
     clouds: Mapping[str, FittedCloud] = field(default_factory=lambda: MappingProxyType({}))
     workspace: WorkspaceMaps = WorkspaceMaps()
     ball: GolfBall | None = None
+    plan: Plan | None = None
     t: float = 0.0
     notice: Text | None = None
 

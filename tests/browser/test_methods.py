@@ -12,7 +12,7 @@ from helicoide.ik import objectives
 
 CRITICAL = 0.080
 ARROW = 0.22
-OUTLINE_SHOWN = "() => window.__viserMutable.nodeRefFromName['/beside/gripper']?.visible"
+OUTLINE_SHOWN = "() => window.__viserMutable.nodeRefFromName['/compared/gripper']?.visible"
 
 
 @pytest.fixture

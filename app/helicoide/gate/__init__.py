@@ -51,6 +51,7 @@ from helicoide.gate.obstacles import (
 )
 from helicoide.gate.path import choose_path, choose_scaling, pause, play, scrub, set_duration
 from helicoide.gate.planes import drag_plane, restore_planes, set_plane
+from helicoide.gate.planning import clear_plan, execute_plan, plan_found
 from helicoide.gate.postures import HEAVIEST_JOINT, go_to_posture, show_postures, weigh_joint
 from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
@@ -68,6 +69,7 @@ from helicoide.gate.teaching import (
     take_waypoints,
     teach_again,
 )
+from helicoide.gate.wrench import LARGEST_WRENCH, set_force, set_moment
 
 __all__ = [
     "ENTRY",
@@ -76,6 +78,7 @@ __all__ = [
     "HEAVIEST_JOINT",
     "LARGEST",
     "LARGEST_GAIN",
+    "LARGEST_WRENCH",
     "LAWS",
     "LEAST_GAIN",
     "LONGEST",
@@ -97,6 +100,7 @@ __all__ = [
     "choose_scaling",
     "clear_clouds",
     "clear_map",
+    "clear_plan",
     "clear_planes",
     "compare_with",
     "cut_map",
@@ -107,6 +111,7 @@ __all__ = [
     "drag_target",
     "end_map",
     "enforce_entry",
+    "execute_plan",
     "fail_map",
     "get_ready",
     "go_beyond_singular",
@@ -122,6 +127,7 @@ __all__ = [
     "path_of",
     "pause",
     "pick_and_place",
+    "plan_found",
     "play",
     "pose",
     "presets",
@@ -140,10 +146,12 @@ __all__ = [
     "set_duration",
     "set_dwell",
     "set_entry",
+    "set_force",
     "set_gain",
     "set_grip",
     "set_gripper",
     "set_joint",
+    "set_moment",
     "set_move_type",
     "set_objective",
     "set_obstacle",

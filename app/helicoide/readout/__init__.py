@@ -2,6 +2,7 @@
 
 from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms
 from helicoide.readout.coefficients import ALGEBRAS, Coefficient, coefficients, exact_text, in_algebra
+from helicoide.readout.dimension_lines import DimensionLines, dimension_lines
 from helicoide.readout.distances import distance_product, nearest_point_and_plane, plane_distances, zones
 from helicoide.readout.elements import Element, Nature, element_of, elements
 from helicoide.readout.instruments import (
@@ -15,11 +16,21 @@ from helicoide.readout.instruments import (
 )
 from helicoide.readout.marks import Marks, coefficient_marks
 from helicoide.readout.meanings import INTRODUCTION, meaning
+from helicoide.readout.partial_products import partial_displacements
 from helicoide.readout.pose_forms import PoseForms, forms_of_pose
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.roles import Role, role_of
 from helicoide.readout.screws import DrawnScrew, drawn_screw
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
+from helicoide.readout.velocities import (
+    balancing_torques,
+    jacobian_now,
+    position_analysis,
+    slow_directions,
+    tool_twist,
+    twist_axis,
+    wrench_axis,
+)
 
 __all__ = [
     "ALGEBRAS",
@@ -30,6 +41,7 @@ __all__ = [
     "Chain",
     "ChainTerms",
     "Coefficient",
+    "DimensionLines",
     "DrawnScrew",
     "Element",
     "Instrument",
@@ -40,11 +52,13 @@ __all__ = [
     "Status",
     "Term",
     "Tone",
+    "balancing_torques",
     "chain_of",
     "chain_terms",
     "coefficient_marks",
     "coefficients",
     "counted_names",
+    "dimension_lines",
     "distance_product",
     "drawn_screw",
     "element_of",
@@ -53,17 +67,24 @@ __all__ = [
     "forms_of_pose",
     "in_algebra",
     "instruments",
+    "jacobian_now",
     "limited_by",
     "limiting",
     "meaning",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",
+    "partial_displacements",
     "plane_distances",
+    "position_analysis",
     "printed_planes",
     "role_of",
+    "slow_directions",
     "status",
     "target_pose",
     "too_near",
+    "tool_twist",
+    "twist_axis",
+    "wrench_axis",
     "zones",
 ]

@@ -10,8 +10,9 @@ from dataclasses import replace
 from helicoide.command import HoldPosition
 from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
-from helicoide.session.display import Display
+from helicoide.session.display import Display, Supply
 from helicoide.session.mapping import MapJob
+from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures, to_singular_posture
 from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.seats import Place
@@ -20,7 +21,8 @@ from helicoide.session.workcell import Workcell
 from helicoide.state import State, with_command
 from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
-from helicoide.view.rows import PageRequest
+from helicoide.view.layers import needed
+from helicoide.view.rows import PageRequest, View
 from helicoide.view.window import Window
 
 MOST_OWN, MAPS = 64, 2  # most own arms; most maps that are computed at once
@@ -31,13 +33,16 @@ FULL = Text(
 )
 
 
+PutUp = Callable[[Workcell, Supply], Display]
+
+
 class Bay:
     """A workcell, its jobs, and its display, None while it has no windows. Use it only on the event loop.
 
     maps: limits the number of maps that the lab computes at once; put_up: makes the display.
     """
 
-    def __init__(self, workcell: Workcell, maps: asyncio.Semaphore, put_up: Callable[[Workcell], Display]) -> None:
+    def __init__(self, workcell: Workcell, maps: asyncio.Semaphore, put_up: PutUp) -> None:
         def now() -> State:
             return workcell.state
 
@@ -47,12 +52,13 @@ class Bay:
         self.mapping = MapJob(now, workcell.tell, maps)
         self.display: Display | None = None
         self._put_up = put_up
+        self._supplied: tuple[object, ...] = ()
 
     async def enter(self, window: Window) -> None:
         """Show the workcell in one more window, unless the window closes first."""
         self.workcell.pause(False)
         if self.display is None:
-            self.display = self._put_up(self.workcell)
+            self.display = self._put_up(self.workcell, self.supply)
         if not window.gone:
             await self.display.enter(window)
         if window.gone:
@@ -65,6 +71,15 @@ class Bay:
             if self.display.empty:
                 self.display.close()
                 self.display = None
+
+    def supply(self, view: View) -> None:
+        """Have computed what the layers of a view need, once for each command."""
+        for request in needed(view):
+            asked = view.state.request
+            key = request, view.state.robot, asked.command, asked.with_orientation
+            if key != self._supplied:
+                self._supplied = key
+                self.do(request)
 
     def do(self, request: PageRequest) -> None:
         """Carry out a request about the arm or its scene."""
@@ -83,6 +98,8 @@ class Bay:
                 self.mapping.begin(kind)
             case rows.ListPostures():
                 self.arms.find(list_postures)
+            case rows.PlanMotion(update, title):
+                self.arms.find(lambda state: plan_motion(state, update, title))
             case rows.TrySingular():
                 self.arms.work_out(to_singular_posture)
             case rows.PlayTaught():
@@ -103,7 +120,7 @@ class Bays:
         robot: Robot,
         wake: Callable[[], None],
         searcher: ThreadPoolExecutor,
-        put_up: Callable[[Workcell], Display],
+        put_up: PutUp,
     ) -> None:
         self.wake, self.searcher, self.put_up = wake, searcher, put_up
         self.maps = asyncio.Semaphore(MAPS)

@@ -14,15 +14,18 @@ from helicoide.state import State
 from helicoide.view import shapes
 from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import ControlChannel, Notice
+from helicoide.view.layers import any_moves
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.window import CLEARED, Window
 
 # s: the shortest time between two frames, and between two updates of rows
 FRAME, WORDS = 0.016, 0.2
+MOVES = 0.05  # s between two frames if the arm is at rest and a layer moves by itself
 # Pauses after drawing and after writing, as multiples of the time that these took.
 SPARE, SPARE_WORDS = 0.3, 3.0
 
+Supply = Callable[[View], None]
 log = logging.getLogger("helicoide")
 
 
@@ -30,7 +33,8 @@ class Display:
     """The windows of a workcell, and two tasks: one draws the scene, the other updates rows and status lines.
 
     view: returns what a window shows now; arrived: called when another robot was loaded, before the windows are filled
-    for it; pen: a lock, so that only one window of the lab is written at a time.
+    for it; pen: a lock, so that only one window of the lab is written at a time; supply: has computed what the layers
+    of a view need.
     """
 
     def __init__(
@@ -41,8 +45,9 @@ class Display:
         view: Callable[[Window], View],
         arrived: Callable[[Display], None],
         pen: asyncio.Lock,
+        supply: Supply,
     ) -> None:
-        self.control, self.workcell, self.view, self.arrived = control, workcell, view, arrived
+        self.control, self.workcell, self.view, self.arrived, self.supply = control, workcell, view, arrived, supply
         self._pen = pen
         self.audience = Audience(server)
         self.windows: list[Window] = []
@@ -128,6 +133,9 @@ class Display:
         for window in tuple(self.windows):
             if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
+                self.supply(view)
+                if any_moves(view):
+                    asyncio.get_running_loop().call_later(MOVES, self._moved.set)
             window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
 

@@ -15,7 +15,7 @@ from helicoide.jobs.process import ProcessJob
 from helicoide.kinematics.robot import Robot
 from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
-from helicoide.session.display import Display
+from helicoide.session.display import Display, Supply
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.seats import Place, Seats
@@ -288,9 +288,9 @@ class Lab:
         if visitor.settled:
             visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
 
-    def _put_up(self, workcell: Workcell) -> Display:
+    def _put_up(self, workcell: Workcell, supply: Supply) -> Display:
         """The display of a workcell."""
-        return Display(self.server, self.control, workcell, self.view, self._arrived, self.pen)
+        return Display(self.server, self.control, workcell, self.view, self._arrived, self.pen, supply)
 
     def _arrived(self, display: Display) -> None:
         """Another robot was loaded into a workcell."""

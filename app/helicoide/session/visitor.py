@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
+from time import monotonic
 
 from helicoide import gate, lesson
 from helicoide.seat import SeatUpdate
@@ -36,7 +37,7 @@ class Visitor:
         place, workcell = self.place, self.bay.workcell
         recorder = None if workcell.recorder is None else workcell.recorder.status
         own = workcell is place.own
-        return View(workcell.state, place.seat, place.study_panel, ready, own, place.recordings, recorder)
+        return View(workcell.state, place.seat, place.study_panel, ready, own, place.recordings, recorder, monotonic())
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""

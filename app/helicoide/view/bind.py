@@ -66,6 +66,16 @@ def on_trigger(command: viser.CommandHandle, act: Callable[[], None]) -> None:
     command.on_trigger(triggered)
 
 
+def on_instance(mesh: viser.BatchedMeshHandle, act: Callable[[int], None]) -> None:
+    """Call `act` with the number of each instance of a mesh that is clicked."""
+
+    async def clicked(event: viser.SceneNodePointerEvent[viser.BatchedMeshHandle]) -> None:
+        if event.instance_index is not None:
+            act(event.instance_index)
+
+    mesh.on_click(clicked)
+
+
 def on_pick(scene: viser.SceneApi, act: Callable[[Array, Array], None]) -> None:
     """Call `act` with the ray of each click in a scene: where it starts (3,), m, and its direction (3,)."""
 

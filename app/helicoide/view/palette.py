@@ -18,12 +18,24 @@ from helicoide.view.page import STOP
 from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
-from helicoide.view.rows import ForArm, ForLab, ForSeat, ForStudyPanel, OwnArm, PageRequest, ShowTab, Stop
+from helicoide.view.plan_rows import DISCARD, EXECUTE
+from helicoide.view.rows import (
+    ForArm,
+    ForLab,
+    ForSeat,
+    ForStudyPanel,
+    OwnArm,
+    PageRequest,
+    PlanMotion,
+    ShowTab,
+    Stop,
+)
 from helicoide.view.top_rows import OWN, PROJECTOR, SHARED, with_projector
 
 NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
 TAB = Text(en="Tab: {title}", pt_BR="Aba: {title}")
 POSE = Text(en="Go to pose: {title}", pt_BR="Ir para a pose: {title}")
+PLAN_TO = Text(en="Plan a motion to: {title}", pt_BR="Planejar movimento para: {title}")
 METHOD = Text(en="Method: {title}", pt_BR="Método: {title}")
 LAYER = Text(en="Show or hide: {title}", pt_BR="Mostrar ou ocultar: {title}")
 LESSON = Text(en="Lesson: {title}", pt_BR="Lição: {title}")
@@ -47,6 +59,9 @@ def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
         yield TAB.format(title=panel.TITLE), ShowTab(index)
     for name, title in robot.pose_titles.items():
         yield POSE.format(title=title), ForArm(gate.go_to(name))
+        yield PLAN_TO.format(title=title), PlanMotion(gate.go_to(name), title)
+    yield EXECUTE, ForArm(gate.execute_plan())
+    yield DISCARD, ForArm(gate.clear_plan())
     for name in methods.names():
         yield METHOD.format(title=methods.named(name).TITLE), ForArm(gate.choose_method(name))
     for layer in layers.optional():

@@ -14,13 +14,19 @@ def place_node(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:
 
     This sends viser's messages directly: setting the attributes of its handles takes ten times as long.
     """
+    place_point(node, T_parent_node[:3, 3])
     impl = node._impl
-    x, y, z = T_parent_node[:3, 3].tolist()
-    if [x, y, z] != impl.position.tolist():
-        impl.position[:] = x, y, z
-        impl.api._queue_scene_message(SetPositionMessage(impl.name, (x, y, z)))
     turn = rotation.from_matrix(T_parent_node[:3, :3])
     w, i, j, k = turn.tolist()
     if [w, i, j, k] != impl.wxyz.tolist():
         impl.wxyz[:] = turn
         impl.api._queue_scene_message(SetOrientationMessage(impl.name, (w, i, j, k)))
+
+
+def place_point(node: viser.SceneNodeHandle, position: Array) -> None:
+    """Move the origin of a node to a position (3,), m, unless it is there already; messages as in `place_node`."""
+    impl = node._impl
+    x, y, z = position.tolist()
+    if [x, y, z] != impl.position.tolist():
+        impl.position[:] = x, y, z
+        impl.api._queue_scene_message(SetPositionMessage(impl.name, (x, y, z)))

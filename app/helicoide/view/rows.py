@@ -27,7 +27,8 @@ class View:
     """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
     ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
-    recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none.
+    recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
+    time: s, for layers that move while the arm is at rest.
     """
 
     state: State
@@ -37,6 +38,7 @@ class View:
     own: bool = False
     recordings: RecordingPanelState = NO_RECORDINGS
     recorder: RecorderStatus | None = None
+    time: float = 0.0
 
     def handles_moved(self, old: View | None) -> bool:
         """Whether handles may have moved since an older view, or another pointer may hold one."""
@@ -111,6 +113,14 @@ class ListPostures:
 @dataclass(frozen=True)
 class TrySingular:
     """A request to drive the tool through a singular posture."""
+
+
+@dataclass(frozen=True)
+class PlanMotion:
+    """A request to plan the motion that a request would cause, and to show it; title: where it leads."""
+
+    update: Update
+    title: Text
 
 
 @dataclass(frozen=True)
@@ -198,6 +208,7 @@ PageRequest = (
     | CountMap
     | ListPostures
     | TrySingular
+    | PlanMotion
     | PlayTaught
     | PlayFastest
     | RecordingRequest

@@ -1,12 +1,18 @@
 """The layers of the scene, one module each.
 
-A module defines NAME, SHARED (whether one layer serves all windows) and `build(stage)`. With TITLE and SHOWN, its layer
-can be shown and hidden by the user. A layer has `update(old, new)`, which writes only what changed.
+A module defines NAME, SHARED (whether one layer serves all windows) and `build(stage)`. A layer has `update(old, new)`,
+which writes only what changed. A layer that the user can show and hide is not shared, and its module also defines:
+
+- TITLE, its name on the page, and SAID, one line that says what is seen, in words and units;
+- KIND, a key of `KINDS`: the heading under which it is listed; SHOWN, whether it is shown at first;
+- `rows(robot)`, if it has settings; `moves(view)`, if it moves while the arm is at rest: whether it does so now;
+  `needs(view)`, if it shows what takes long to compute: the request for it, or None if that is there.
 """
 
 from __future__ import annotations
 
 import logging
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
@@ -16,10 +22,18 @@ import viser
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.view.rows import Act, View
+from helicoide.text import Text
+from helicoide.view.rows import Act, PageRequest, View
 from helicoide.view.shapes import Shape
 
 DRAWN_FOR = 0.82
+KINDS = {
+    "arm": Text(en="Arm and motion", pt_BR="Braço e movimento"),
+    "algebra": Text(en="Frames and algebra", pt_BR="Referenciais e álgebra"),
+    "velocity": Text(en="Velocities and forces", pt_BR="Velocidades e forças"),
+    "confinement": Text(en="Planes, obstacles, entry point", pt_BR="Planos, obstáculos, ponto de entrada"),
+    "comparison": Text(en="Other postures and arms", pt_BR="Outras posturas e braços"),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,8 +73,25 @@ def all_layers() -> tuple[ModuleType, ...]:
 
 
 def optional() -> list[ModuleType]:
-    """The modules of the layers that the user can show and hide."""
-    return [layer for layer in all_layers() if hasattr(layer, "TITLE")]
+    """The modules of the layers that the user can show and hide, in the order of `KINDS`."""
+    kinds = list(KINDS)
+    return sorted((layer for layer in all_layers() if hasattr(layer, "TITLE")), key=lambda one: kinds.index(one.KIND))
+
+
+def any_moves(view: View) -> bool:
+    """Whether a layer that the view shows moves by itself, so that it is drawn again although nothing has changed."""
+    return any(
+        layer.moves(view) for layer in optional() if hasattr(layer, "moves") and view.seat.visible_layers[layer.NAME]
+    )
+
+
+def needed(view: View) -> Iterator[PageRequest]:
+    """Requests for what the shown layers of a view need and its state does not have."""
+    for layer in optional():
+        if hasattr(layer, "needs") and view.ready and view.seat.visible_layers[layer.NAME]:
+            request = layer.needs(view)
+            if request is not None:
+                yield request
 
 
 class Layers:

@@ -13,6 +13,11 @@ NAME = "axes"
 SHARED = False
 TITLE = Text(en="Joint screw axes", pt_BR="Eixos helicoidais das juntas")
 SHOWN = False
+KIND = "algebra"
+SAID = Text(
+    en="The screw axis of each joint, with an arrow for the positive sense of rotation or sliding.",
+    pt_BR="O eixo helicoidal de cada junta, com uma seta no sentido positivo da rotação ou do deslizamento.",
+)
 
 HALF, TIP = 0.6, 0.28  # half the line, and the length of the arrow that shows the sense of the axis, × size, m
 COLOUR = (21, 101, 192)

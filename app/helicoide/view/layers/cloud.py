@@ -14,6 +14,11 @@ NAME = "cloud"
 SHARED = False
 TITLE = Text(en="Point clouds", pt_BR="Nuvens de pontos")
 SHOWN = True
+KIND = "confinement"
+SAID = Text(
+    en="The measured points: those on the plane that was found are green, the others grey.",
+    pt_BR="Os pontos medidos: os do plano encontrado em verde, os outros em cinza.",
+)
 
 OFF_IT, ON_IT = (150, 150, 150), (46, 125, 50)
 SIZE, MOST = 0.0025, 20_000

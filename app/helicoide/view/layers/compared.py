@@ -2,32 +2,45 @@
 
 from __future__ import annotations
 
+from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View
 
-NAME = "beside"
-SHARED = True
+NAME = "compared"
+SHARED = False
+TITLE = Text(en="Second arm", pt_BR="Segundo braço")
+SHOWN = True
+KIND = "comparison"
+SAID = Text(
+    en="The edges of the second arm, which follows the same target by the compared method.",
+    pt_BR="As arestas do segundo braço, que segue o mesmo alvo pelo método comparado.",
+)
 
 COLOUR = (106, 27, 154)
 
 
 def build(stage: Stage) -> ComparedOutline:
-    """The outline of the second arm, hidden until there is one."""
-    return ComparedOutline(Outline(stage, NAME, COLOUR))
+    """The layer, without an outline until there is a second arm."""
+    return ComparedOutline(stage)
 
 
 class ComparedOutline:
-    """The second arm's outline."""
+    """The second arm's outline, made when it is first needed."""
 
-    def __init__(self, outline: Outline) -> None:
-        self.outline = outline
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.outline: Outline | None = None
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the second arm."""
-        beside = new.state.compared
-        if old is not None and old.state.compared is beside:
+        second = new.state.compared
+        shown = second is not None and new.seat.visible_layers[NAME]
+        if self.outline is None and shown:
+            self.outline, old = Outline(self.stage, NAME, COLOUR), None
+        if self.outline is None:
             return
-        self.outline.show(beside is not None)
-        if beside is not None:
-            self.outline.write(beside.arm.poses, new.state.arm.gripper)
+        appears = shown and not self.outline.shown
+        self.outline.show(shown)
+        if second is not None and shown and (appears or old is None or old.state.compared is not second):
+            self.outline.write(second.arm.poses, new.state.arm.gripper)

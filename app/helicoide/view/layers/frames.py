@@ -13,6 +13,11 @@ NAME = "frames"
 SHARED = False
 TITLE = Text(en="Link frames", pt_BR="Referenciais dos elos")
 SHOWN = False
+KIND = "algebra"
+SAID = Text(
+    en="The frames of the base, the links and the end effector: x red, y green, z blue.",
+    pt_BR="Os referenciais da base, dos elos e do efetuador: x vermelho, y verde, z azul.",
+)
 
 
 def build(stage: Stage) -> Frames:

@@ -17,6 +17,11 @@ NAME = "handles"
 SHARED = False
 TITLE = Text(en="Plane handles", pt_BR="Alças dos planos")
 SHOWN = True
+KIND = "confinement"
+SAID = Text(
+    en="An arrow on each plane that can be moved: drag it along the normal.",
+    pt_BR="Uma seta em cada plano móvel: arraste-a ao longo da normal.",
+)
 
 
 def build(stage: Stage) -> Handles:

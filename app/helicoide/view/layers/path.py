@@ -15,6 +15,11 @@ NAME = "path"
 SHARED = False
 TITLE = Text(en="Path curve", pt_BR="Curva da trajetória")
 SHOWN = False
+KIND = "arm"
+SAID = Text(
+    en="The path that the end effector follows with “Play”.",
+    pt_BR="A trajetória que o efetuador segue com “Reproduzir”.",
+)
 
 COLOUR = (194, 24, 91)
 PIECES = 200

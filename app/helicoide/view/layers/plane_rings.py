@@ -10,6 +10,11 @@ NAME = "turns"
 SHARED = False
 TITLE = Text(en="Plane rotation rings", pt_BR="Anéis de rotação dos planos")
 SHOWN = False
+KIND = "confinement"
+SAID = Text(
+    en="Rings on each plane that can be moved: drag one to rotate the plane.",
+    pt_BR="Anéis em cada plano móvel: arraste um deles para girar o plano.",
+)
 
 
 def build(stage: Stage) -> Handles:

@@ -15,6 +15,11 @@ NAME = "trail"
 SHARED = False
 TITLE = Text(en="End-effector trail", pt_BR="Rastro do efetuador")
 SHOWN = True
+KIND = "arm"
+SAID = Text(
+    en="Where the end effector has been: its last 200 points, a few millimetres apart.",
+    pt_BR="Por onde o efetuador passou: os últimos 200 pontos, a poucos milímetros um do outro.",
+)
 
 LENGTH = 200
 APART = 6e-3

@@ -20,6 +20,11 @@ NAME = "workspace"
 SHARED = False
 TITLE = Text(en="Workspace map", pt_BR="Mapa do espaço de trabalho")
 SHOWN = True
+KIND = "arm"
+SAID = Text(
+    en="The positions that the end effector reaches, coloured by the chosen map; the front part is cut away.",
+    pt_BR="As posições que o efetuador alcança, nas cores do mapa escolhido; a parte da frente fica oculta pelo corte.",
+)
 
 # Size of a point, in cells; number of points across the map, for which coarse cells are divided; most points sent.
 SIZE, FINE, MOST = 1.05, 66, 30_000

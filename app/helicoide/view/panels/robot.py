@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import ModuleType
+
 import numpy as np
 from markupsafe import Markup
 from viser import Icon
@@ -16,6 +18,7 @@ from helicoide.text import Text, untranslated
 from helicoide.view import html, layers
 from helicoide.view.obstacle_rows import entry_point_rows, obstacle_rows
 from helicoide.view.path_rows import path_rows
+from helicoide.view.plan_rows import plan_rows
 from helicoide.view.plane_rows import plane_rows
 from helicoide.view.posture_rows import posture_rows
 from helicoide.view.rows import (
@@ -56,6 +59,7 @@ def rows(robot: Robot) -> list[Row]:
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
         posture_rows(robot),
+        plan_rows(robot),
         path_rows(robot),
         teaching_rows(robot),
         *([ball_rows(robot)] if gate.can_grasp(robot) else []),
@@ -63,7 +67,7 @@ def rows(robot: Robot) -> list[Row]:
         obstacle_rows(robot),
         *([entry_point_rows()] if "rcm" in robot.frames else []),
         workspace_rows(robot),
-        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
+        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(robot), open=False),
     ]
 
 
@@ -172,8 +176,23 @@ def _set_angles(view: View, degrees: tuple[float, float, float]) -> PageRequest:
     return ForArm(gate.set_target(readout.target_pose(view.state)[:3, 3], quat))
 
 
-def _shows() -> list[Row]:
-    return [_show(layer.NAME, layer.TITLE) for layer in layers.optional()]
+def _shows(robot: Robot) -> list[Row]:
+    """A folder for each kind of layers."""
+    kinds = {kind: [layer for layer in layers.optional() if kind == layer.KIND] for kind in layers.KINDS}
+    return [
+        Folder(layers.KINDS[kind], [row for layer in listed for row in _of_layer(layer, robot)])
+        for kind, listed in kinds.items()
+    ]
+
+
+def _of_layer(layer: ModuleType, robot: Robot) -> list[Row]:
+    """A checkbox, the line that says what is seen while the layer is shown, and the settings of the layer."""
+    name: str = layer.NAME
+
+    def line(view: View) -> Markup:
+        return html.note(layer.SAID[view.seat.language]) if view.seat.visible_layers[name] else Markup("")
+
+    return [_show(name, layer.TITLE), HtmlRow(line), *(layer.rows(robot) if hasattr(layer, "rows") else ())]
 
 
 def _show(name: str, title: Text) -> Checkbox:

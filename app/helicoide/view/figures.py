@@ -1,0 +1,101 @@
+"""The parts of optional layers: lines, arrows and names, each added to the scene when it is first needed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+import numpy as np
+import viser
+
+from helicoide.arrays import Array
+from helicoide.geometry import rotation
+from helicoide.view.layers import Stage
+from helicoide.view.pose import place_point
+
+Colour = tuple[int, int, int]
+# The colours of Okabe and Ito 2008, which people with any colour vision can tell from each other.
+BLUE, ORANGE, GREEN, PURPLE = (0, 114, 178), (230, 159, 0), (0, 158, 115), (204, 121, 167)
+VERMILLION, SKY, GREY = (213, 94, 0), (86, 180, 233), (120, 120, 120)
+
+
+class Segments:
+    """Line segments of one colour."""
+
+    def __init__(self, stage: Stage, name: str, colour: Colour, thickness: float = 0.004) -> None:
+        self.stage, self.name, self.colour, self.thickness = stage, name, colour, thickness
+        self.handle: viser.LineSegmentsHandle | viser.ArrowsHandle | None = None
+
+    def write(self, points: Array) -> None:
+        """Draw these segments (k, 2, 3), m, and no others."""
+        drawn = len(points) > 0
+        if drawn and self.handle is None:
+            self.handle = self._add(np.asarray(points, dtype=np.float32))
+        elif drawn and self.handle is not None:
+            self.handle.points = np.asarray(points, dtype=np.float32)
+        if self.handle is not None and self.handle.visible != drawn:
+            self.handle.visible = drawn
+
+    def _add(self, points: Array) -> viser.LineSegmentsHandle | viser.ArrowsHandle:
+        thickness = self.thickness * self.stage.size
+        return self.stage.scene.add_line_segments(self.name, points, self.colour, thickness=thickness)
+
+
+class Arrows(Segments):
+    """Arrows of one colour, from the first to the second point of each segment."""
+
+    HEAD: ClassVar[tuple[float, float]] = (2.75, 8.75)  # radius and length of the heads, in thicknesses of the shaft
+
+    def _add(self, points: Array) -> viser.ArrowsHandle:
+        thickness = self.thickness * self.stage.size
+        radius, length = (thickness * share for share in self.HEAD)
+        return self.stage.scene.add_arrows(
+            self.name, points, self.colour, shaft_radius=thickness, head_radius=radius, head_length=length
+        )
+
+
+class FrameSet:
+    """Frames with their axes, all of one size."""
+
+    def __init__(self, stage: Stage, name: str, length: float) -> None:
+        self.stage, self.name, self.length = stage, name, length
+        self.handle: viser.BatchedAxesHandle | None = None
+
+    def write(self, Ts: Array) -> None:
+        """Draw frames at these poses (k, 4, 4), m; k stays the same."""
+        wxyzs = rotation.from_matrix(Ts[:, :3, :3]).astype(np.float32)
+        positions = Ts[:, :3, 3].astype(np.float32)
+        if self.handle is None:
+            length = self.length * self.stage.size
+            self.handle = self.stage.scene.add_batched_axes(
+                self.name, wxyzs, positions, axes_length=length, axes_radius=0.035 * length
+            )
+        else:
+            self.handle.batched_wxyzs, self.handle.batched_positions = wxyzs, positions
+
+
+class Names:
+    """Names and numbers at points of the scene."""
+
+    def __init__(self, stage: Stage, root: str) -> None:
+        self.stage, self.root = stage, root
+        self.labels: list[viser.LabelHandle] = []
+
+    def write(self, texts: Sequence[str], places: Array | Sequence[Array]) -> None:
+        """Show these texts at their places (k, 3), m, and no others."""
+        for k, (text, place) in enumerate(zip(texts, places, strict=True)):
+            if k == len(self.labels):
+                added = self.stage.scene.add_label(f"{self.root}/name {k}", text, anchor="bottom-center")
+                self.labels.append(added)
+            label, text = self.labels[k], text.replace("-", "−")
+            if label.text != text:
+                label.text = text
+            place_point(label, np.asarray(place))
+        for k, label in enumerate(self.labels):
+            if label.visible != (k < len(texts)):
+                label.visible = k < len(texts)
+
+
+def polyline(points: Array) -> Array:
+    """The segments (k − 1, 2, 3) between successive points (k, 3)."""
+    return np.stack([points[:-1], points[1:]], axis=1)

@@ -1,0 +1,94 @@
+"""Null-space motion: a ghost of the arm that moves its joints while its tool stays in place."""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from helicoide.arrays import Array
+from helicoide.ik.goal import pose_of_tool
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.generic_rank import counted_rows
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.self_motion import freest_joint, self_motion_step
+from helicoide.text import Text
+from helicoide.view.figures import PURPLE
+from helicoide.view.layers import Stage
+from helicoide.view.optional_layer import OptionalLayer
+from helicoide.view.outline import Outline
+from helicoide.view.rows import View
+
+NAME = "null"
+SHARED = False
+TITLE = Text(en="Null-space motion", pt_BR="Movimento no espaço nulo")
+SHOWN = False
+KIND = "velocity"
+SAID = Text(
+    en="A ghost of the arm that moves to and fro without moving the end effector, for an arm with more joints than the "
+    "task needs; with “Keep orientation” off, the position alone counts. Without a null space nothing is drawn.",
+    pt_BR="Um fantasma do braço que vai e vem sem mover o efetuador, se o braço tem mais juntas do que a tarefa "
+    "requer; sem “Manter a orientação”, só a posição conta. Sem espaço nulo nada é desenhado.",
+)
+
+# rad/s, and rad, of the joint velocities and of the joint that moves most; for prismatic joints in reaches. Longest
+# time step, s: after a pause the ghost goes on where it was.
+SPEED, AMPLITUDE, LONGEST_STEP = 0.5, 0.7, 0.1
+
+
+def build(stage: Stage) -> NullMotionLayer:
+    """The layer, which draws nothing for an arm without a null space."""
+    return NullMotionLayer(stage, NAME)
+
+
+def moves(view: View) -> bool:
+    """Always: the ghost moves while the arm is at rest."""
+    return view.ready
+
+
+class NullMotionLayer(OptionalLayer):
+    """The ghost: its joint values, the joint that it follows and the direction in which that moves."""
+
+    def __init__(self, stage: Stage, name: str) -> None:
+        super().__init__(stage, name)
+        self.outline: Outline | None = None
+        self.begun: Array | None = None
+        self.q, self.joint, self.way, self.time = np.zeros(0), 0, 1.0, -inf
+
+    def depends(self, view: View) -> tuple[object, ...]:
+        """Posture, whether the orientation counts, and the time."""
+        return view.state.arm.q, view.state.request.with_orientation, view.time
+
+    def draw(self, view: View) -> None:
+        """Move the ghost on; it begins again where the arm is when the arm has moved."""
+        state, robot = view.state, self.stage.robot
+        rows = counted_rows(robot, state.request.with_orientation)
+        if self.begun is not state.arm.q or len(self.drawn) < 3 or self.drawn[2] is not state.request.with_orientation:
+            joint = freest_joint(robot, state.arm.q, rows)
+            self.begun, self.q, self.joint, self.way = state.arm.q, state.arm.q, -1 if joint is None else joint, 1.0
+        step = SPEED * min(max(view.time - self.time, 0.0), LONGEST_STEP)
+        self.time = view.time
+        if self.outline is None and self.joint >= 0:
+            self.outline = Outline(self.stage, self.name, PURPLE)
+        if self.outline is None:
+            return
+        self.outline.show(self.joint >= 0)
+        if self.joint >= 0:
+            self._advance(robot, pose_of_tool(state.problem, state.arm.poses), rows, step)
+            self.outline.write(link_poses(robot.chain, self.q), state.arm.gripper)
+
+    def _advance(self, robot: Robot, T_world_tool: Array, rows: np.ndarray, step: float) -> None:
+        """One step; the ghost turns back at a joint limit and when its joint has moved far enough."""
+        q = self_motion_step(robot, self.q, T_world_tool, rows, self.joint, self.way * step)
+        assert self.begun is not None
+        far = abs(q[self.joint] - self.begun[self.joint]) > AMPLITUDE * _unit(robot, self.joint)
+        outward = (q[self.joint] - self.begun[self.joint]) * self.way > 0
+        outside = bool(((q < robot.lower) | (q > robot.upper)).any())
+        if outside or (far and outward):
+            self.way = -self.way
+        if not outside:
+            self.q = q
+
+
+def _unit(robot: Robot, joint: int) -> float:
+    return robot.reach if robot.variables[joint].is_prismatic else 1.0

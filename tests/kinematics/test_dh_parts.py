@@ -1,0 +1,52 @@
+"""The drawn DH parameters lead from each DH frame to the next, by the convention of the arm."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from tests.kinematics.arms import NAMES, arm, postures
+
+from helicoide.kinematics.dh_parts import dh_parts
+from helicoide.kinematics.forward import dh_frames
+
+RADIUS = 0.07
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_segments_lead_from_frame_to_frame_and_arcs_from_axis_to_axis(name: str) -> None:
+    robot = arm(name)
+    standard = robot.dh.convention == "standard"
+    for q in postures(robot, 5):
+        frames = dh_frames(robot, q)
+        for (before, after), row in zip(pairwise(frames), dh_parts(robot, q, RADIUS), strict=True):
+            first, second = (row.d, row.a) if standard else (row.a, row.d)
+            close(first[0], before[:3, 3])
+            close(first[1], second[0])
+            close(second[1], after[:3, 3])
+            z, x = (before[:3, 2], after[:3, 0]) if standard else (after[:3, 2], before[:3, 0])
+            close(row.d[1] - row.d[0], row.values.d * z)
+            close(row.a[1] - row.a[0], row.values.a * x)
+            turns = (row.theta - first[1]) / RADIUS
+            close(turns @ z, 0.0)
+            close(np.linalg.norm(turns, axis=1), 1.0)
+            if standard:
+                close(turns[0], before[:3, 0])
+                close(turns[-1], after[:3, 0])
+            else:
+                close(turns[-1], after[:3, 0])
+            leans = (row.alpha - (second[1] if standard else first[1])) / RADIUS
+            close(leans[0], before[:3, 2])
+            close(leans[-1], after[:3, 2])
+
+
+def test_the_lengths_of_the_movemaster_are_those_of_its_file() -> None:
+    robot = arm("movemaster")
+    for row, given in zip(dh_parts(robot, robot.poses["ready"], RADIUS), robot.dh.rows, strict=True):
+        close(np.linalg.norm(row.d[1] - row.d[0]), abs(given.d))
+        close(np.linalg.norm(row.a[1] - row.a[0]), abs(given.a))
+
+
+def close(one: object, other: object) -> None:
+    np.testing.assert_allclose(one, other, rtol=0, atol=1e-9)  # type: ignore[arg-type]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.robot import Robot
@@ -48,7 +49,7 @@ class History:
         values = {signal.name: self._extended(signal, state, kept) for signal in signals}
         return History(state.robot, frozen(np.append(self.times[kept], state.t)), MappingProxyType(values))
 
-    def _extended(self, signal: Signal, state: State, kept: Array) -> Array:
+    def _extended(self, signal: Signal, state: State, kept: NDArray[np.bool_]) -> Array:
         """The kept samples of a signal and one more, (k, 2, c)."""
         second, curves = state.compared_state, len(signal.curves)
         both = np.full((1, 2, curves), np.nan)

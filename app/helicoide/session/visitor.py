@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from helicoide import gate, lesson
+from helicoide.readout.history import NO_HISTORY, History
+from helicoide.readout.signals import needed_signals
 from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
@@ -15,12 +18,15 @@ from helicoide.state import Drag
 from helicoide.view.rows import View
 from helicoide.view.window import CLEARED, Window
 
+log = logging.getLogger("helicoide")
+
 
 @dataclass(eq=False)
 class Visitor:
     """A window, its place, and the bay of the workcell that it shows.
 
-    settled: whether the window is not moving to another workcell; moving: the task that moves it.
+    settled: whether the window is not moving to another workcell; moving: the task that moves it; history: the last
+    samples of the signals that the seat charts.
     """
 
     window: Window
@@ -28,15 +34,28 @@ class Visitor:
     bay: Bay
     settled: bool = False
     moving: asyncio.Task[None] | None = None
+    history: History = NO_HISTORY
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
         place = self.place
-        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, self.bay.workcell is place.own)
+        own = self.bay.workcell is place.own
+        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, own, self.history)
+
+    def sample(self) -> None:
+        """Add a sample to the history if one is due. Nothing is computed without charts, or while they are paused."""
+        charts, state = self.place.seat.charts, self.bay.workcell.state
+        if not any(charts.shown):
+            self.history = NO_HISTORY
+        elif not charts.paused and self.history.is_due(state):
+            try:
+                self.history = self.history.with_sample(state, needed_signals(state, charts.shown))
+            except Exception:
+                log.exception("the signals of a chart could not be read")
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""
-        self.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
+        self.bay, robots, self.history = bay, (bay.workcell.state.robot.name, bay.arms.wanted), NO_HISTORY
         if not lessons.is_about(self.place.seat, robots):
             self.place.seat = lessons.seated_at(robots, self.place.seat)
         await bay.enter(self.window)

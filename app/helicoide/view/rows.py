@@ -11,6 +11,7 @@ from viser import IconName
 
 from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
+from helicoide.readout.history import NO_HISTORY, History
 from helicoide.seat import Seat, SeatUpdate
 from helicoide.state import State, Update
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelUpdate
@@ -24,7 +25,8 @@ Key = TypeVar("Key", bound=Hashable)
 class View:
     """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
-    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one.
+    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
+    history: the last samples of the charted signals.
     """
 
     state: State
@@ -32,6 +34,7 @@ class View:
     study_panel: StudyPanelState = NO_STUDY
     ready: bool = True
     own: bool = False
+    history: History = NO_HISTORY
 
     def handles_moved(self, old: View | None) -> bool:
         """Whether handles may have moved since an older view, or another pointer may hold one."""

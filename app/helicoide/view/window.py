@@ -242,4 +242,5 @@ def _same(old: View, new: View) -> bool:
         and old.seat is new.seat
         and old.study_panel is new.study_panel
         and old.ready == new.ready
+        and old.history is new.history
     ) and old.own == new.own

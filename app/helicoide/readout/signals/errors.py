@@ -73,8 +73,12 @@ def orientation_error(state: State) -> Array:
 
 
 def speeds(state: State) -> Array:
-    """‖q̇‖ that the method asked for and that the arm has, (2,), rad/s; the first is NaN if no method gave one."""
+    """‖q̇‖ that the method asked for and that the arm has, (2,), rad/s; the first is NaN if no method gave one.
+
+    With an entry point and the orientation, the unknowns of the method are not joint velocities.
+    """
     solution, units = state.request.controller.solution, state.problem.joint_units
-    if solution is None or not _has_target(state) or len(solution.rates) != len(units):
+    through_entry = state.problem.entry is not None and state.request.with_orientation
+    if solution is None or through_entry or not _has_target(state) or len(solution.rates) != len(units):
         return np.array([np.nan, np.linalg.norm(state.arm.velocities)])
     return np.array([np.linalg.norm(units * solution.rates), np.linalg.norm(state.arm.velocities)])

@@ -52,7 +52,10 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
     signed = {
         "filter k": (Text(en="Signed smallest singular value k", pt_BR="Menor valor singular com sinal k"), "k"),
         "filter θ": (Text(en="Its filtered inverse θ", pt_BR="Sua inversa filtrada θ"), "θ"),
-        "filter θ_M": (Text(en="Its modified filtered inverse θ_M", pt_BR="Sua inversa filtrada modificada θ_M"), "θ_M"),
+        "filter θ_M": (
+            Text(en="Its modified filtered inverse θ_M", pt_BR="Sua inversa filtrada modificada θ_M"),
+            "θ_M",
+        ),
     }
     for place, (name, (title, symbol)) in enumerate(signed.items()):
         yield Signal(name, title, symbol, "", (untranslated(symbol),), _signed(place))

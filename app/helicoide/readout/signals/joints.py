@@ -41,7 +41,13 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
         title = Text(en="Joint {n} ({joint})", pt_BR="Junta {n} ({joint})").format(n=i + 1, joint=joint.title)
         fast = Text(en="Velocity of joint {n} ({joint})", pt_BR="Velocidade da junta {n} ({joint})")
         yield Signal(
-            f"position {i}", title, where, unit, (untranslated(where),), partial(_at, i, scale), partial(_range, i, scale)
+            f"position {i}",
+            title,
+            where,
+            unit,
+            (untranslated(where),),
+            partial(_at, i, scale),
+            partial(_range, i, scale),
         )
         yield Signal(
             f"speed {i}",

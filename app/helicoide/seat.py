@@ -76,6 +76,22 @@ class Playground:
 
 
 @dataclass(frozen=True)
+class ChartChoice:
+    """What the charts of live signals show.
+
+    shown: the names of their signals or phase planes, "" for no chart; span: the time that they show, s; log: whether
+    the axis is logarithmic where the signal is positive; paused: whether no samples are taken; matrix: the name of the
+    matrix that is shown, "" for none.
+    """
+
+    shown: tuple[str, ...] = ()
+    span: float = 20.0
+    log: bool = False
+    paused: bool = False
+    matrix: str = ""
+
+
+@dataclass(frozen=True)
 class Seat:
     """One person: language, place in a lesson, selection and view settings.
 
@@ -85,7 +101,7 @@ class Seat:
     where maps are cut, −1 to 1 in units of the reach; stages: the formulation that is shown joint by joint, None for
     none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
     move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
-    effector that a layer balances.
+    effector that a layer balances; charts: what the charts show.
     """
 
     token: str
@@ -108,6 +124,7 @@ class Seat:
     projector: bool = False
     wrench: tuple[float, ...] = (0.0, 0.0, -10.0, 0.0, 0.0, 0.0)
     move_type: str = "joints"
+    charts: ChartChoice = ChartChoice()
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

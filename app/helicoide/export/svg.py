@@ -106,9 +106,8 @@ class ChartFrame:
 def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart as an SVG element, without title and legend."""
     across = axis_range([line.x for line in chart.lines])
-    frame = ChartFrame(
-        *size, across, axis_range([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log
-    )
+    up = chart.y_range or axis_range([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log)
+    frame = ChartFrame(*size, across, up, chart.log)
     inside = (*_grid(frame, language), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
     return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
         frame.width, frame.height, chart.title[language], Markup("\n").join(inside)

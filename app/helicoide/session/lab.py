@@ -140,6 +140,8 @@ class Lab:
         for bay in self.bays:
             if bay.display is not None:
                 bay.display.tell()
+        for visitor in self.visitors.values() if self.ready else ():
+            visitor.sample()
         if monotonic() - self._judged > JUDGED:
             self._judged = monotonic()
             for visitor in self.visitors.values():

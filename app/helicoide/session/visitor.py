@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from time import monotonic
 
 from helicoide import gate, lesson
+from helicoide.readout.history import NO_HISTORY, History
+from helicoide.readout.signals import needed_signals
 from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
@@ -18,12 +21,15 @@ from helicoide.view.channel import ControlChannel, Notice
 from helicoide.view.rows import View
 from helicoide.view.window import CLEARED, Window
 
+log = logging.getLogger("helicoide")
+
 
 @dataclass(eq=False)
 class Visitor:
     """A window, its place, and the bay of the workcell that it shows.
 
-    settled: whether the window is not moving to another workcell; moving: the task that moves it.
+    settled: whether the window is not moving to another workcell; moving: the task that moves it; history: the last
+    samples of the signals that the seat charts.
     """
 
     window: Window
@@ -31,17 +37,39 @@ class Visitor:
     bay: Bay
     settled: bool = False
     moving: asyncio.Task[None] | None = None
+    history: History = NO_HISTORY
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
         place, workcell = self.place, self.bay.workcell
         recorder = None if workcell.recorder is None else workcell.recorder.status
         own = workcell is place.own
-        return View(workcell.state, place.seat, place.study_panel, ready, own, place.recordings, recorder, monotonic())
+        return View(
+            workcell.state,
+            place.seat,
+            place.study_panel,
+            ready,
+            own,
+            recordings=place.recordings,
+            recorder=recorder,
+            history=self.history,
+            time=monotonic(),
+        )
+
+    def sample(self) -> None:
+        """Add a sample to the history if one is due. Nothing is computed without charts, or while they are paused."""
+        charts, state = self.place.seat.charts, self.bay.workcell.state
+        if not any(charts.shown):
+            self.history = NO_HISTORY
+        elif not charts.paused and self.history.is_due(state):
+            try:
+                self.history = self.history.with_sample(state, needed_signals(state, charts.shown))
+            except Exception:
+                log.exception("the signals of a chart could not be read")
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""
-        self.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
+        self.bay, robots, self.history = bay, (bay.workcell.state.robot.name, bay.arms.wanted), NO_HISTORY
         if not lessons.is_about(self.place.seat, robots):
             self.place.seat = lessons.seated_at(robots, self.place.seat)
         await bay.enter(self.window)

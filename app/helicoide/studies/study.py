@@ -165,12 +165,23 @@ class ChartLine:
     y: Array
 
 
+@dataclass(frozen=True)
+class ChartBand:
+    """A horizontal band of a chart, from lower to upper, one of them possibly infinite. serious: not only a warning."""
+
+    title: Text
+    lower: float
+    upper: float
+    serious: bool = True
+
+
 @dataclass(frozen=True, eq=False)
 class Chart:
     """Curves over a common quantity; `x_label` and `y_label` label the axes, with units.
 
     figure: the figure of the source to compare with, such as "fig. 3.11"; log: whether the vertical axis is
-    logarithmic.
+    logarithmic; bands: values that the curves should not have; y_range: of the vertical axis, None to fit the curves;
+    phase: whether the curves may turn back, as in a phase plane.
     """
 
     title: Text
@@ -179,6 +190,9 @@ class Chart:
     lines: tuple[ChartLine, ...]
     figure: str = ""
     log: bool = False
+    bands: tuple[ChartBand, ...] = ()
+    y_range: tuple[float, float] | None = None
+    phase: bool = False
 
 
 @dataclass(frozen=True, eq=False)

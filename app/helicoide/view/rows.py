@@ -11,6 +11,7 @@ from viser import IconName
 
 from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
+from helicoide.readout.history import NO_HISTORY, History
 from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState, RecordingPanelUpdate
 from helicoide.recorder.recorder import RecorderStatus
 from helicoide.seat import Seat, SeatUpdate
@@ -28,7 +29,7 @@ class View:
 
     ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
     recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
-    time: s, for layers that move while the arm is at rest.
+    history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest.
     """
 
     state: State
@@ -38,6 +39,7 @@ class View:
     own: bool = False
     recordings: RecordingPanelState = NO_RECORDINGS
     recorder: RecorderStatus | None = None
+    history: History = NO_HISTORY
     time: float = 0.0
 
     def handles_moved(self, old: View | None) -> bool:

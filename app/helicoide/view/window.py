@@ -241,5 +241,6 @@ def _same(old: View, new: View) -> bool:
         old.state is new.state
         and old.seat is new.seat
         and old.study_panel is new.study_panel
+        and old.history is new.history
         and old.recordings is new.recordings
     ) and (old.ready, old.own, old.recorder) == (new.ready, new.own, new.recorder)

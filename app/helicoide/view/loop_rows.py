@@ -1,0 +1,35 @@
+"""The control loop of the arm: its diagram, and a button for each signal on its arrows, which adds it to the charts."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from helicoide.readout.loop import loop_signals
+from helicoide.readout.signals import signals_of
+from helicoide.text import Text
+from helicoide.view.loop_diagram import LOOP, loop_diagram
+from helicoide.view.rows import Button, DependentRows, Folder, ForSeat, HtmlRow, Row, View
+from helicoide.view.signal_rows import with_signal
+
+ADD = Text(en="Add a signal of the loop to the charts", pt_BR="Acrescentar um sinal da malha aos gráficos")
+Named = tuple[tuple[str, Text], ...]
+
+
+def loop_rows() -> Folder:
+    """The diagram follows the method, the command and the surroundings."""
+    buttons = DependentRows(_on_arrows, _buttons)
+    return Folder(LOOP, [HtmlRow(loop_diagram, computed=True), Folder(ADD, buttons, open=False)], open=False)
+
+
+def _on_arrows(view: View) -> Named:
+    """The name and the title of each signal on the arrows."""
+    known = signals_of(view.state)
+    return tuple((name, known[name].title) for name in loop_signals(view.state))
+
+
+def _buttons(named: Named) -> list[Row]:
+    return [_button(name, title) for name, title in named]
+
+
+def _button(name: str, title: Text) -> Button:
+    return Button(lambda _: title, lambda _: ForSeat(partial(with_signal, name=name)))

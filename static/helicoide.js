@@ -213,11 +213,12 @@
   }
 
   function release(what) {
-    held.delete(what);
+    if (held.delete(what) && held.size === 0) send({ idle: true }); // a slider that was held made one change
     settle();
   }
 
   function releaseAll() {
+    if (held.size > 0) send({ idle: true });
     held.clear();
     settle();
   }

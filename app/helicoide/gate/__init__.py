@@ -67,6 +67,7 @@ from helicoide.gate.teaching import (
     take_waypoints,
     teach_again,
 )
+from helicoide.gate.undoing import finish_change, recorded, redo, undo, undoable_of
 
 __all__ = [
     "ENTRY",
@@ -106,6 +107,7 @@ __all__ = [
     "end_map",
     "enforce_entry",
     "fail_map",
+    "finish_change",
     "get_ready",
     "go_beyond_singular",
     "go_to",
@@ -125,6 +127,8 @@ __all__ = [
     "presets",
     "put_ball",
     "record",
+    "recorded",
+    "redo",
     "remove_obstacle",
     "remove_plane",
     "rename_waypoint",
@@ -159,6 +163,8 @@ __all__ = [
     "take_waypoints",
     "teach_again",
     "tell_map",
+    "undo",
+    "undoable_of",
     "unsay",
     "weigh_joint",
     "weigh_objective",

@@ -24,7 +24,15 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
-from helicoide.view.link import HelicoideFirstLesson, PageMessage, connection_of
+from helicoide.view.link import (
+    HelicoideFence,
+    HelicoideFirstLesson,
+    HelicoideMadeAt,
+    HelicoideRedo,
+    HelicoideUndo,
+    PageMessage,
+    connection_of,
+)
 from helicoide.view.panels.lesson import first_lesson
 from helicoide.view.rows import PageRequest, View
 from helicoide.view.scene import light_scene
@@ -52,7 +60,7 @@ class Lab:
         self.seats = Seats(lesson_name, projector)
         self.visitors: dict[int, Visitor] = {}
         self.lines: dict[int, WindowChannel] = {}
-        self.control = ControlChannel(self._stopped, self._released, self._turned)
+        self.control = ControlChannel(self._stopped, self._released, self._turned, self._idle)
         self.ready = False
         self.clock = Clock(lambda: self.bays.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
@@ -206,12 +214,19 @@ class Lab:
 
     def _on_message(self, client_id: int, message: PageMessage) -> None:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
-        if isinstance(message, HelicoideFirstLesson):
-            if visitor is not None:
+        match message:
+            case HelicoideFence() | HelicoideMadeAt():
+                if line is not None and line.link.hear(message) and visitor is not None:
+                    visitor.window.restore()
+                    visitor.write()
+            case _ if visitor is None:
+                return
+            case HelicoideFirstLesson():
                 visitor.window.act(first_lesson())
-        elif line is not None and line.link.hear(message) and visitor is not None:
-            visitor.window.restore()
-            visitor.write()
+            case HelicoideUndo():
+                visitor.window.act(rows.Undo())
+            case HelicoideRedo():
+                visitor.window.act(rows.Redo())
 
     def act(self, window: Window, request: PageRequest) -> None:
         """Carry out a request if it is accepted. The rows of the window are written again in any case."""
@@ -262,6 +277,12 @@ class Lab:
         visitor = self._with(key)
         if visitor is not None and (grasp := visitor.drag) is not None:
             self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
+
+    def _idle(self, key: str) -> None:
+        """All pointers and keys of a window are up: what they changed is one change, which later ones do not extend."""
+        visitor = self._with(key)
+        if visitor is not None:
+            self.loop.call_later(LET_GO, visitor.bay.finish_change)
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab of a window is in front."""

@@ -124,6 +124,16 @@ class Stop:
 
 
 @dataclass(frozen=True)
+class Undo:
+    """A request to undo the last change of the scene or of a setting."""
+
+
+@dataclass(frozen=True)
+class Redo:
+    """A request to make the change again that was undone last."""
+
+
+@dataclass(frozen=True)
 class OwnArm:
     """A request for an arm of one's own (on), or for the shared arm again (off)."""
 
@@ -159,6 +169,8 @@ PageRequest = (
     | PlayTaught
     | PlayFastest
     | Stop
+    | Undo
+    | Redo
     | OwnArm
     | ShowTab
     | Save

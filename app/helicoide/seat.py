@@ -12,13 +12,22 @@ from helicoide.text import Language
 
 
 @dataclass(frozen=True)
+class LinkedPosture:
+    """The posture that a link shows: the name of an arm, and its joint values q, rad or m."""
+
+    robot: str
+    q: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class Seat:
     """One person: language, place in a lesson, selection and view settings.
 
     done: the steps whose goal has been reached; picked_points: the points, m, world frame, clicked for a plane, None
     while no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of
     the reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
-    files, "" to detect it; projector: whether text and handles are large; way: how the next waypoint is reached from
+    files, "" to detect it; projector: whether text and handles are large; dark: whether the page is dark; transparent:
+    whether the arm is; linked: the posture of a link that was opened; move_type: how the next waypoint is reached from
     the one before.
     """
 
@@ -36,6 +45,9 @@ class Seat:
     stages: Stages | None = None
     cloud_unit: str = ""
     projector: bool = False
+    dark: bool = False
+    transparent: bool = False
+    linked: LinkedPosture | None = None
     move_type: str = "joints"
 
     def with_layer(self, name: str, on: bool) -> Seat:

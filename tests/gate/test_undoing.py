@@ -95,11 +95,11 @@ def test_undo_returns_and_redo_makes_it_again_and_no_joint_moves(asked: list[Upd
         assert same(gate.undoable_of(state), scenes[-1]), "what changes is recorded"
     q = state.arm.q
     for scene in reversed(scenes[:-1]):
-        state = do(state, gate.undo())
+        state = do(state, gate.undo_change())
         assert same(gate.undoable_of(state), scene)
     assert not state.history.undo
     for scene in scenes[1:]:
-        state = do(state, gate.redo())
+        state = do(state, gate.redo_change())
         assert same(gate.undoable_of(state), scene)
     assert not state.history.redo
     assert state.arm.q is q
@@ -108,7 +108,7 @@ def test_undo_returns_and_redo_makes_it_again_and_no_joint_moves(asked: list[Upd
 def test_undo_lets_no_arm_go_on_that_a_plane_had_stopped(state: State) -> None:
     lowered = do(state, gate.set_box([0.0, -0.6, 0.0], [1.0, 0.6, 0.6]))
     blocked = after(gate.set_target([0.5, 0.0, 0.9], DOWN)(lowered), 4.0)
-    undone = do(blocked, gate.undo())
+    undone = do(blocked, gate.undo_change())
     assert isinstance(undone.request.command, HoldPosition)
     assert undone.problem.planes.names == state.problem.planes.names
     assert undone.notice is not None
@@ -122,13 +122,13 @@ def test_undo_in_the_middle_of_a_motion_is_not_a_motion(state: State) -> None:
     for _ in range(20):
         moving = advance(moving, 0.01)
     assert moving.arm.moving
-    undone = do(moving, gate.undo())
+    undone = do(moving, gate.undo_change())
     assert (after(undone, 0.5).arm.q == moving.arm.q).all()
 
 
 def test_waypoints_are_undone_without_a_stop(state: State) -> None:
     state = gate.set_target([0.4, 0.2, 0.4], DOWN)(do(state, gate.record()))
-    undone = do(state, gate.undo())
+    undone = do(state, gate.undo_change())
     assert isinstance(undone.request.command, MoveToPose)
     assert undone.taught.waypoints == ()
 
@@ -136,7 +136,7 @@ def test_waypoints_are_undone_without_a_stop(state: State) -> None:
 def test_a_plane_that_returns_gives_way_to_the_arm(state: State) -> None:
     high = do(state, gate.set_box([0.0, -0.6, 0.0], [1.2, 0.6, 1.3]))
     there = after(gate.set_target([0.45, 0.0, 0.85], DOWN)(high), 6.0)
-    undone = do(there, gate.undo())
+    undone = do(there, gate.undo_change())
     assert undone.arm.q is there.arm.q
     assert plane_distances(undone).min() >= state.problem.zones.critical - 1e-9
     assert undone.notice is not None
@@ -149,12 +149,12 @@ def test_an_obstacle_that_returns_gives_way_to_the_arm(state: State) -> None:
     centre = state.problem.obstacles.ends[0, 0]
     gone = do(state, gate.remove_obstacle(0))
     there = after(gate.set_target(centre, DOWN)(gone), 6.0)
-    refused = do(there, gate.undo())
+    refused = do(there, gate.undo_change())
     assert not len(refused.problem.obstacles.radii)
     assert len(refused.history.undo) == len(there.history.undo), "it can be undone later"
     assert refused.notice is not None
     assert "obstacle 1" in refused.notice.en
-    free = do(replace(refused, arm=state.arm), gate.undo())
+    free = do(replace(refused, arm=state.arm), gate.undo_change())
     assert (free.problem.obstacles.ends[0, 0] == centre).all()
 
 
@@ -163,7 +163,7 @@ def test_a_moved_obstacle_returns_as_far_as_the_arm_lets_it(state: State) -> Non
     here = state.problem.obstacles.ends[0, 0]
     away = do(state, gate.set_obstacle(0, here + np.array([0.0, 0.4, 0.3])))
     there = after(gate.set_target(here, DOWN)(away), 6.0)
-    undone = do(there, gate.undo())
+    undone = do(there, gate.undo_change())
     assert undone.notice is not None
     assert "obstacle 1" in undone.notice.en.lower()
     moved = undone.problem.obstacles.ends[0, 0]
@@ -173,20 +173,20 @@ def test_a_moved_obstacle_returns_as_far_as_the_arm_lets_it(state: State) -> Non
 
 def test_a_real_arm_keeps_its_planes_and_limits(state: State) -> None:
     changed = do(state, gate.set_gain(0, 20.0), gate.set_zones(0.1, 0.15))
-    refused = gate.undo(connected=True)(changed)
+    refused = gate.undo_change(connected=True)(changed)
     assert refused.problem is changed.problem
     assert refused.notice is not None
     assert refused.notice.pt_BR == CONNECTED.format(what=changed.history.undo[-1].title).pt_BR
-    free = do(changed, gate.undo())
-    assert gate.undo(connected=True)(free).request.controller.gains == state.request.controller.gains
+    free = do(changed, gate.undo_change())
+    assert gate.undo_change(connected=True)(free).request.controller.gains == state.request.controller.gains
 
 
 def test_a_parked_arm_keeps_its_planes(state: State) -> None:
     changed = do(state, gate.record(), gate.set_zones(0.1, 0.15))
     parked = replace(changed, arm=replace(changed.arm, parked=True))
-    assert gate.undo()(parked).problem is changed.problem
+    assert gate.undo_change()(parked).problem is changed.problem
     taught = do(state, gate.record())
-    assert gate.undo()(replace(taught, arm=replace(taught.arm, parked=True))).taught.waypoints == ()
+    assert gate.undo_change()(replace(taught, arm=replace(taught.arm, parked=True))).taught.waypoints == ()
 
 
 def test_a_drag_is_one_change_and_the_next_drag_another(state: State) -> None:
@@ -196,16 +196,16 @@ def test_a_drag_is_one_change_and_the_next_drag_another(state: State) -> None:
             centre = start.centres[0] + k * d * start.normals[0]
             state = gate.recorded(state, gate.drag_plane("a", phase, 0, centre, [0, 1, 0, 0])(state))  # type: ignore[arg-type]
     assert [change.title.en for change in state.history.undo] == ["plane +z moved"] * 2
-    once = do(state, gate.undo())
+    once = do(state, gate.undo_change())
     assert once.problem.planes.centres[0] == pytest.approx(start.centres[0] + 0.03 * start.normals[0])
-    assert do(once, gate.undo()).problem.planes.centres[0] == pytest.approx(start.centres[0])
+    assert do(once, gate.undo_change()).problem.planes.centres[0] == pytest.approx(start.centres[0])
 
 
 def test_a_drag_that_another_user_undoes_ends(state: State) -> None:
     state = do(state, gate.record())
     state = gate.recorded(state, gate.drag_plane("a", "start", 0, state.problem.planes.centres[0], [0, 1, 0, 0])(state))
     assert state.request.drag == Drag("a", "plane 0")
-    assert do(state, gate.undo()).request.drag is None
+    assert do(state, gate.undo_change()).request.drag is None
 
 
 def test_a_slider_that_is_held_makes_one_change(state: State) -> None:
@@ -224,7 +224,7 @@ def test_the_history_is_bounded_and_a_new_change_ends_what_can_be_redone(state: 
         state = do(state, gate.set_gain(0, 1.0 + 0.1 * k))
     assert len(state.history.undo) == MOST_CHANGES
     for _ in range(MOST_CHANGES):
-        state = do(state, gate.undo())
+        state = do(state, gate.undo_change())
     assert state.request.controller.gains[0] == pytest.approx(1.0 + 0.1 * 19)
     assert len(state.history.redo) == MOST_CHANGES
     state = do(state, gate.set_gain(0, 3.3))
@@ -232,8 +232,8 @@ def test_the_history_is_bounded_and_a_new_change_ends_what_can_be_redone(state: 
 
 
 def test_nothing_to_undo_is_said(state: State) -> None:
-    assert gate.undo()(state).notice == NOTHING_TO_UNDO
-    assert gate.redo()(state).notice == NOTHING_TO_REDO
+    assert gate.undo_change()(state).notice == NOTHING_TO_UNDO
+    assert gate.redo_change()(state).notice == NOTHING_TO_REDO
 
 
 def test_another_arm_begins_without_a_history(state: State) -> None:
@@ -249,15 +249,15 @@ def test_a_change_of_the_entry_point_is_undone() -> None:
     assert on.problem.entry is not None
     moved = do(on, gate.set_entry(on.problem.entry.point + 0.01))
     assert [change.title.en for change in moved.history.undo] == ["entry point set", "entry point moved"]
-    back = do(moved, gate.undo())
+    back = do(moved, gate.undo_change())
     assert back.problem.entry is on.problem.entry
-    assert do(back, gate.undo()).problem.entry is None
+    assert do(back, gate.undo_change()).problem.entry is None
 
 
 def test_a_second_arm_gets_the_settings_and_keeps_its_method(state: State) -> None:
     state = gate.compare_with("damped")(gate.choose_method("pseudoinverse")(state))
     changed = do(state, gate.set_gain(0, 20.0))
-    undone = do(changed, gate.undo())
+    undone = do(changed, gate.undo_change())
     assert undone.compared is not None
     assert undone.compared.controller.gains == state.request.controller.gains
     assert undone.compared.controller.method == "damped"

@@ -21,7 +21,7 @@ from helicoide.gate.enclosure import (
     unsay,
 )
 from helicoide.gate.entry import ENTRY, drag_entry, enforce_entry, set_entry
-from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
+from helicoide.gate.joints import NO_PARKING, get_ready, go_to, go_to_joints, park, set_gripper, set_joint
 from helicoide.gate.mapping import choose_map, clear_map, cut_map, end_map, fail_map, show_map, start_map, tell_map
 from helicoide.gate.method import (
     HEAVIEST,
@@ -67,7 +67,7 @@ from helicoide.gate.teaching import (
     take_waypoints,
     teach_again,
 )
-from helicoide.gate.undoing import finish_change, recorded, redo, undo, undoable_of
+from helicoide.gate.undoing import finish_change, recorded, redo_change, undo_change, undoable_of
 
 __all__ = [
     "ENTRY",
@@ -111,6 +111,7 @@ __all__ = [
     "get_ready",
     "go_beyond_singular",
     "go_to",
+    "go_to_joints",
     "go_to_posture",
     "grow_weights",
     "keep_orientation",
@@ -128,7 +129,7 @@ __all__ = [
     "put_ball",
     "record",
     "recorded",
-    "redo",
+    "redo_change",
     "remove_obstacle",
     "remove_plane",
     "rename_waypoint",
@@ -163,7 +164,7 @@ __all__ = [
     "take_waypoints",
     "teach_again",
     "tell_map",
-    "undo",
+    "undo_change",
     "undoable_of",
     "unsay",
     "weigh_joint",

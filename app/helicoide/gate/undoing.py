@@ -99,7 +99,7 @@ def finish_change() -> Update:
     return update
 
 
-def undo(connected: bool = False) -> Update:
+def undo_change(connected: bool = False) -> Update:
     """Undo the last change. connected: whether a real arm follows; then no limit, plane or obstacle is changed."""
 
     def change(state: State) -> State:
@@ -110,8 +110,8 @@ def undo(connected: bool = False) -> Update:
     return checked(change)
 
 
-def redo(connected: bool = False) -> Update:
-    """Make the change again that was undone last. connected: as in `undo`."""
+def redo_change(connected: bool = False) -> Update:
+    """Make the change again that was undone last. connected: as in `undo_change`."""
 
     def change(state: State) -> State:
         if not state.history.redo:
@@ -171,9 +171,9 @@ def _clear_planes(state: State, planes: Planes, critical: float) -> tuple[Planes
 def _with_settings(state: State, other: Controller) -> State:
     """The state with the method and the settings of another controller; a second arm keeps its method."""
 
-    def change(drive: Controller) -> Controller:
-        second = drive.secondary if _same_objective(drive, other) else other.secondary
-        return replace(drive, changed=other.changed, gains=other.gains, secondary=second)
+    def change(controller: Controller) -> Controller:
+        second = controller.secondary if _same_objective(controller, other) else other.secondary
+        return replace(controller, changed=other.changed, gains=other.gains, secondary=second)
 
     if state.request.controller.method != other.method:
         drive = state.request.controller.with_method(other.method)

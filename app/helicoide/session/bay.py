@@ -79,9 +79,9 @@ class Bay:
             case rows.ForArm(update):
                 self.workcell.ask(update)
             case rows.Undo():
-                self.workcell.ask(lambda state: gate.undo(self.workcell.connected)(state))
+                self.workcell.ask(lambda state: gate.undo_change(self.workcell.connected)(state))
             case rows.Redo():
-                self.workcell.ask(lambda state: gate.redo(self.workcell.connected)(state))
+                self.workcell.ask(lambda state: gate.redo_change(self.workcell.connected)(state))
             case rows.ForLab(robot):
                 self.arms.change(robot)
             case rows.Play(motion):

@@ -125,7 +125,7 @@ class Lab:
 
     def _say_to(self, visitor: Visitor) -> None:
         seat = visitor.place.seat
-        notice = Notice(seat.language, self.said, "warn", projector=seat.projector)
+        notice = Notice(seat.language, self.said, "warn", projector=seat.projector, transparent=seat.transparent)
         self.control.push(visitor.window.link.key, notice)
 
     def _tidy(self) -> None:
@@ -177,11 +177,11 @@ class Lab:
             if client.client_id in self.lines:
                 raise
             return
-        place = self.seats.take(hello.seat, self.language or hello.language or "en")
+        place = self.seats.take(hello.seat, self.language or hello.language or "en", hello.dark)
         line.tell(seat=place.seat.token)
-        await self._furnish(client, line, place)
+        await self._furnish(client, line, place, hello.link)
 
-    async def _furnish(self, client: Client, line: WindowChannel, place: Place) -> None:
+    async def _furnish(self, client: Client, line: WindowChannel, place: Place, link: str) -> None:
         bay = self.bays.of(place)
         window = Window(
             client, line.link, View(bay.workcell.state, place.seat, place.study_panel, self.ready), self.act
@@ -192,6 +192,8 @@ class Lab:
         await window.furnish(visitor.view(self.ready))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
+        if link and not window.gone:
+            visitor.open_link(link)
 
     async def _leave(self, client: Client) -> None:
         """A window closes."""
@@ -251,6 +253,10 @@ class Lab:
                 self.studies.change(visitor.place, update)
             case rows.OwnArm(on):
                 self._move(visitor, on)
+            case rows.TakeLink(own):
+                self._take_link(visitor, own)
+            case rows.CloseLink():
+                visitor.close_link()
             case rows.Save(name, content):
                 visitor.window.client.send_file_download(name, content)
             case _:
@@ -306,6 +312,14 @@ class Lab:
         visitor.place.at_own = own
         if visitor.settled:
             visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
+
+    def _take_link(self, visitor: Visitor, own: bool) -> None:
+        """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first."""
+        if own:
+            self._move(visitor, True)
+        if (linked := visitor.place.seat.linked) is not None and (visitor.place.at_own or not own):
+            self.bays.of(visitor.place).arms.go_to(linked.robot, linked.q)
+            visitor.close_link()
 
     def _put_up(self, workcell: Workcell) -> Display:
         """The display of a workcell."""

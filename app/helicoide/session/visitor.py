@@ -5,6 +5,9 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
 
 from helicoide import gate, lesson
 from helicoide.seat import SeatUpdate
@@ -12,8 +15,14 @@ from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
 from helicoide.state import Drag
-from helicoide.view.rows import View
+from helicoide.text import HelicoideError
+from helicoide.view.channel import share_link
+from helicoide.view.link_rows import with_linked
+from helicoide.view.rows import ShowTab, View
+from helicoide.view.share import decode_link
 from helicoide.view.window import CLEARED, Window
+
+SAME_POSTURE = 1e-3  # rad or m; a link rounds joint values
 
 
 @dataclass(eq=False)
@@ -67,6 +76,25 @@ class Visitor:
         if bay.workcell.state.robot is not robot and not self.window.gone:
             await self.window.fill(view(self.window))
         await self.attach(bay)
+
+    def open_link(self, text: str) -> None:
+        """Show the view of a link: camera and tab at once; an arm in another posture is only asked for."""
+        try:
+            shared = decode_link(text)
+        except HelicoideError as refusal:
+            self.window.tell(refusal.text)
+            return
+        self.window.look(*shared.camera)
+        self.window.act(ShowTab(shared.tab))
+        state, linked = self.bay.workcell.state, shared.posture
+        there = len(linked.q) == len(state.arm.q) and np.allclose(linked.q, state.arm.q, rtol=0, atol=SAME_POSTURE)
+        if linked.robot != state.robot.name or not there:
+            self.reseat(partial(with_linked, linked))
+
+    def close_link(self) -> None:
+        """Forget the link, also in the address of the page."""
+        share_link(self.window.client, "")
+        self.reseat(partial(with_linked, None))
 
     def write(self) -> None:
         """Have the rows of the window updated if they have changed."""

@@ -54,7 +54,8 @@ TAGS = Markup(
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
     '<script src="static/helicoide.js" data-words="{}" defer></script>'
-    '<script src="static/layout.js" defer></script>'
+    '<script src="static/layout.js" defer></script><script src="static/share.js" defer></script>'
+    '<script src="static/transparent.js" defer></script>'
     '<script src="static/keyboard.js" data-words="{}" defer></script>'
     '<link rel="stylesheet" href="static/hint.css" /><script src="static/hint.js" data-words="{}" defer></script>'
 )

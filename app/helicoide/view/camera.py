@@ -48,7 +48,7 @@ def camera_pose(preset: CameraPreset, state: State, fov: float, aspect: float) -
     direction, right = {"front": FRONT, "side": SIDE, "top": TOP}[preset]
     if not upright:
         centre = centre + TO_THE_RIGHT * size * right
-    far = 0.6 * size / np.tan(fov / 2 * min(1.0, aspect))
+    far = 0.85 * size / np.tan(fov / 2 * min(1.0, aspect))
     return centre + far * direction, centre
 
 

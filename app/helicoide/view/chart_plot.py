@@ -9,7 +9,7 @@ from viser import uplot
 
 from helicoide.arrays import Array
 from helicoide.export.study_table import significant_digits
-from helicoide.export.svg import axis_range, caption, figure, powers
+from helicoide.export.svg import COLOURS, axis_range, caption, figure, powers
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
@@ -19,7 +19,6 @@ POINTS, HEIGHT = 400, 170
 ACROSS, UP, PADDING = 30, 52, (10, 16, 0, 0)
 SIZE = (320, 230)
 CHART, CAPTION = Markup("<div class='helicoide-chart'>{}</div>"), Markup("<figure>{}</figure>")
-COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f")
 
 
 def common(chart: Chart) -> tuple[Array, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View
@@ -9,7 +10,7 @@ from helicoide.view.rows import View
 NAME = "beside"
 SHARED = True
 
-COLOUR = (106, 27, 154)
+COLOUR = PURPLE
 
 
 def build(stage: Stage) -> ComparedOutline:

@@ -7,6 +7,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.kernels import python_function
 from helicoide.kinematics.forward import link_poses
+from helicoide.view.colours import BLUE
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View
@@ -14,7 +15,7 @@ from helicoide.view.rows import View
 NAME = "linked"
 SHARED = False
 
-COLOUR = (0, 114, 178)
+COLOUR = BLUE
 
 
 def build(stage: Stage) -> LinkedOutline:

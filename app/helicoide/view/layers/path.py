@@ -8,6 +8,7 @@ import viser
 from helicoide import gate
 from helicoide.command import FollowPath, PathChoice
 from helicoide.text import Text
+from helicoide.view.colours import GREY
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -16,7 +17,7 @@ SHARED = False
 TITLE = Text(en="Path curve", pt_BR="Curva da trajetória")
 SHOWN = False
 
-COLOUR = (194, 24, 91)
+COLOUR = GREY
 PIECES = 200
 
 

@@ -9,6 +9,7 @@
   const BEAT_MS = 1000;
   const SILENT_BEATS = 2;
   const BEATS_KEPT = 30;
+  const LONGEST_LINK = 4000; // a longer one is cut one character after that, and refused
   const SETTLED_MS = 120; // viser delays the last value of a slider by up to 50 ms
   const SEAT = "helicoide-seat";
   const OPEN = '[role="dialog"], [role="listbox"]';
@@ -54,7 +55,9 @@
 
   function draw() {
     document.documentElement.lang = language.replace("_", "-");
-    document.documentElement.toggleAttribute("data-projector", notice.projector === true);
+    for (const look of ["projector", "transparent"]) {
+      document.documentElement.toggleAttribute(`data-${look}`, notice[look] === true);
+    }
     write(label, words[language][notice.everywhere ? "stop_all" : "stop"]);
     write(line, link === "lost" ? words[language].lost : notice.status);
     line.dataset.tone = link === "lost" ? "lost" : notice.tone;
@@ -80,7 +83,13 @@
   function introduce() {
     if (!window.helicoideWindow) return;
     shown = -1;
-    send({ window: window.helicoideWindow, seat: remembered(), languages: [...navigator.languages] });
+    send({
+      window: window.helicoideWindow,
+      seat: remembered(),
+      languages: [...navigator.languages],
+      dark: matchMedia("(prefers-color-scheme: dark)").matches,
+      link: location.hash.slice(1, 2 + LONGEST_LINK),
+    });
   }
 
   function tabsOfPanel() {
@@ -88,7 +97,12 @@
     return lists.find((list) => list.length > 1) ?? []; // a docked lesson has one tab
   }
 
-  window.helicoideShowTab = (index) => tabsOfPanel()[index]?.click();
+  // viser builds the tabs a moment after it was told to.
+  window.helicoideShowTab = (index, tries = 50) => {
+    const tab = tabsOfPanel()[index];
+    if (tab) tab.click();
+    else if (tries > 0) setTimeout(() => window.helicoideShowTab(index, tries - 1), 100);
+  };
 
   // Tells the server which tab of the panel is in front: only its rows need updates.
   function look() {
@@ -213,11 +227,12 @@
   }
 
   function release(what) {
-    held.delete(what);
+    if (held.delete(what) && held.size === 0) send({ idle: true }); // a slider that was held made one change
     settle();
   }
 
   function releaseAll() {
+    if (held.size > 0) send({ idle: true });
     held.clear();
     settle();
   }

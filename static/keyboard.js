@@ -16,6 +16,7 @@
   };
   const ICONS = { "list-search": "commands", adjustments: "settings" }; // buttons of viser without text
   const FOLDER = '.mantine-Paper-root[style*="cursor: pointer"]';
+  const TEXT_FIELDS = "textarea, [contenteditable], input:not([type=checkbox], [readonly])";
   const FOLDED = ".tabler-icon-chevron-down";
   const SHORT_RANGE = 20; // sliders with a smaller range keep viser's own steps
   const OWN_STEPS = 10; // steps of viser, 0.1 each, in one step of 1
@@ -108,6 +109,16 @@
     set(canvas, "aria-label", said.scene);
   }
 
+  // Ctrl+Z undoes, Ctrl+Shift+Z and Ctrl+Y redo; in a text field they are about its text.
+  function undo(event) {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
+    if (event.target.closest?.(TEXT_FIELDS)) return;
+    event.preventDefault();
+    const type = key === "z" && !event.shiftKey ? "HelicoideUndo" : "HelicoideRedo";
+    window.__viserMutable?.sendMessage({ type });
+  }
+
   function openFolder(event) {
     const heading = event.target.closest?.(FOLDER);
     if (!heading || (event.key !== "Enter" && event.key !== " ")) return;
@@ -120,6 +131,7 @@
   window.addEventListener("keyup", (event) => drag?.code === event.code && endDrag(), true);
   window.addEventListener("blur", endDrag);
   window.addEventListener("helicoide-deaf", () => (drag = null)); // the key has no effect until it is pressed again
+  window.addEventListener("keydown", undo, true);
   window.addEventListener("keydown", openFolder, true);
   window.helicoideOnChange(nameControls);
   window.helicoideOnChange(nameScene);

@@ -23,7 +23,7 @@ geometry
 kinematics
 confinement · trajectory
 ik
-command · seat · comparison
+command · history · seat · comparison
 state
 advance
 foresight · readout · gate · lesson

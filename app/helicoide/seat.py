@@ -92,6 +92,14 @@ class ChartChoice:
 
 
 @dataclass(frozen=True)
+class LinkedPosture:
+    """The posture that a link shows: the name of an arm, and its joint values q, rad or m."""
+
+    robot: str
+    q: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class Seat:
     """One person: language, place in a lesson, selection and view settings.
 
@@ -100,6 +108,7 @@ class Seat:
     m, world frame, clicked for a plane, None while no plane is picked; map_kind: the chosen map of the workspace; cut:
     where maps are cut, −1 to 1 in units of the reach; stages: the formulation that is shown joint by joint, None for
     none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
+    dark: whether the page is dark; transparent: whether the arm is; linked: the posture of a link that was opened;
     move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
     effector that a layer balances; charts: what the charts show.
     """
@@ -123,6 +132,9 @@ class Seat:
     cloud_unit: str = ""
     projector: bool = False
     wrench: tuple[float, ...] = (0.0, 0.0, -10.0, 0.0, 0.0, 0.0)
+    dark: bool = False
+    transparent: bool = False
+    linked: LinkedPosture | None = None
     move_type: str = "joints"
     charts: ChartChoice = ChartChoice()
 

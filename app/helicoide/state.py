@@ -14,6 +14,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.command import Command, HoldPosition, PathChoice
 from helicoide.comparison import Trace
 from helicoide.confinement import planes_of
+from helicoide.history import History
 from helicoide.ik import Limits, Problem
 from helicoide.ik.controller import Controller
 from helicoide.ik.goal import Goal, pose_of_tool
@@ -171,7 +172,7 @@ class State:
     problem: the arm, its limits, and the planes, obstacles and entry point; t: time, s; taught: the waypoints;
     postures: those of a goal, and the choice between them; compared: the second arm; clouds: the clouds that were read,
     by the name of the plane; workspace: its maps; ball: the ball to grasp; plan: a motion that is shown before it is
-    made; notice: why the last request was refused, another message, or None.
+    made; history: what can be undone and redone; notice: why the last request was refused, another message, or None.
     """
 
     problem: Problem
@@ -184,6 +185,7 @@ class State:
     workspace: WorkspaceMaps = WorkspaceMaps()
     ball: GolfBall | None = None
     plan: Plan | None = None
+    history: History = field(default_factory=History)
     t: float = 0.0
     notice: Text | None = None
 

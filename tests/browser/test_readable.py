@@ -1,8 +1,9 @@
-"""Every tab is legible and usable: on a projector, a small laptop and a phone, in both languages."""
+"""Every tab is legible and usable: on a projector, a small laptop and a phone, light and dark, in both languages."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from helicoide import gate
 from helicoide.session.postures import to_singular_posture
 from helicoide.text import LANGUAGES
 from helicoide.view import panels
-from helicoide.view.top_rows import PROJECTOR
+from helicoide.view.top_rows import LOOK, PROJECTOR, with_dark
 
 FINDINGS = Path(__file__).with_name("readable.js").read_text("utf-8")
 IN_VIEW = """element => { const spot = element.getBoundingClientRect();
@@ -27,8 +28,10 @@ def page(browser: Browser, lab: Lab, request: pytest.FixtureRequest) -> Iterator
     with window(browser, lab.port, request.param) as page:
         until(page, lambda: lab.session.ready, 300)
         if request.param == "projector":
+            page.get_by_text(LOOK.en, exact=True).click()
             page.get_by_label(PROJECTOR.en).check()
             page.wait_for_selector("html[data-projector]")
+            page.get_by_text(LOOK.en, exact=True).click()
         yield page
 
 
@@ -39,6 +42,13 @@ def remaining(page: Page, touch: bool) -> list[str]:
         if not (findings := page.evaluate(FINDINGS, touch)):
             break
     return list(findings)
+
+
+def darken(lab: Lab, page: Page, on: bool) -> None:
+    """Give the newest window the dark look or the light one."""
+    visitor = list(lab.session.visitors.values())[-1]
+    lab.session.loop.call_soon_threadsafe(visitor.reseat, partial(with_dark, on))
+    page.wait_for_selector(f"html[data-mantine-color-scheme={'dark' if on else 'light'}]")
 
 
 def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
@@ -56,6 +66,10 @@ def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
             if findings := remaining(page, touch):
                 found[language, panel.TITLE[language]] = findings
             until(page, lambda: page.evaluate(AT, [*pixels(page, lab.state.T_world_tool[:3, 3])]) == "CANVAS")
+            darken(lab, page, True)
+            if findings := remaining(page, touch):
+                found["dark", language, panel.TITLE[language]] = findings
+            darken(lab, page, False)
     assert not found
 
 

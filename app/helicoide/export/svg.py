@@ -21,7 +21,7 @@ from helicoide.text import Language, with_decimal_comma
 PAGE = (520, 300)
 LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 26
 # Distinguishable with colour blindness (Okabe and Ito 2008); dashes distinguish curves without colour.
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#696969")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
 MIN_TICKS, MAX_TICKS = 4, 8
 FINEST, COARSEST = 1e-4, 1e6

@@ -22,7 +22,7 @@ from helicoide.gate.enclosure import (
     unsay,
 )
 from helicoide.gate.entry import ENTRY, drag_entry, enforce_entry, set_entry
-from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
+from helicoide.gate.joints import NO_PARKING, get_ready, go_to, go_to_joints, park, set_gripper, set_joint
 from helicoide.gate.mapping import choose_map, clear_map, cut_map, end_map, fail_map, show_map, start_map, tell_map
 from helicoide.gate.method import (
     HEAVIEST,
@@ -69,6 +69,7 @@ from helicoide.gate.teaching import (
     take_waypoints,
     teach_again,
 )
+from helicoide.gate.undoing import finish_change, recorded, redo_change, undo_change, undoable_of
 from helicoide.gate.wrench import LARGEST_WRENCH, set_force, set_moment
 
 __all__ = [
@@ -113,9 +114,11 @@ __all__ = [
     "enforce_entry",
     "execute_plan",
     "fail_map",
+    "finish_change",
     "get_ready",
     "go_beyond_singular",
     "go_to",
+    "go_to_joints",
     "go_to_posture",
     "grow_weights",
     "keep_orientation",
@@ -133,6 +136,8 @@ __all__ = [
     "presets",
     "put_ball",
     "record",
+    "recorded",
+    "redo_change",
     "remove_obstacle",
     "remove_plane",
     "rename_waypoint",
@@ -171,6 +176,8 @@ __all__ = [
     "take_waypoints",
     "teach_again",
     "tell_map",
+    "undo_change",
+    "undoable_of",
     "unsay",
     "weigh_joint",
     "weigh_objective",

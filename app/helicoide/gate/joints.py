@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from helicoide.arrays import frozen
 from helicoide.command import GetReady, HoldPosition, MoveToJoints, Park
@@ -12,6 +13,7 @@ from helicoide.gate.check import checked, driven, finite
 from helicoide.state import State, Update, with_command, with_drag
 from helicoide.text import HelicoideError, Text
 
+ROUNDED = 1e-4  # rad or m, by which joint values of a link may lie outside the limits
 NO_PARKING = Text(
     en="This arm has no planes, so there is nothing to park for.",
     pt_BR="Este braço não tem planos, portanto não precisa estacionar.",
@@ -56,6 +58,19 @@ def _outside(state: State, index: int) -> Text:
         upper=scale * limits.upper[index],
         unit=unit,
     )
+
+
+def go_to_joints(q: ArrayLike) -> Update:
+    """Go to joint values q (n,), rad or m, inside the limits."""
+
+    def change(state: State) -> State:
+        values, limits = finite(q, (len(state.arm.q),)), state.problem.limits
+        outside = (values < limits.lower - ROUNDED) | (values > limits.upper + ROUNDED)
+        if outside.any():
+            raise HelicoideError(_outside(state, int(outside.argmax())))
+        return with_command(state, MoveToJoints(frozen(np.clip(values, limits.lower, limits.upper))))
+
+    return driven(change)
 
 
 def go_to(name: str) -> Update:

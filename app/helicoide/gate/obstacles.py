@@ -19,6 +19,11 @@ from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 MOST = 6
+ROUNDING = 1e-9  # m
+NO_SPACE = Text(
+    en="The arm is where obstacle {n} was: move the arm first.",
+    pt_BR="O braço está onde ficava o obstáculo {n}: mova o braço antes.",
+)
 # As fractions of the reach: initial, smallest and largest radius, and initial distance of the centre from the tool.
 RADIUS, SMALLEST, LARGEST, ASIDE = 0.06, 0.02, 0.25, 0.35
 
@@ -103,6 +108,27 @@ def remove_obstacle(index: int) -> Update:
         return _with(with_drag(state, None), state.problem.obstacles.without(index))
 
     return driven(change)
+
+
+def restored_obstacles(state: State, wanted: Obstacles) -> tuple[Obstacles, list[Text]]:
+    """The spheres of an earlier scene, and what gave way to the arm: a moved sphere stops there, a new one is smaller.
+
+    Raises HelicoideError if there is no space for a sphere that was removed.
+    """
+    present, said = state.problem.obstacles, []
+    for index, (centre, radius) in enumerate(zip(wanted.ends[:, 0], wanted.radii, strict=True)):
+        still_there = (present.ends[:, 0] == centre).all(axis=1) & (present.radii >= radius)
+        if still_there.any() or (fitting := _fitting(state, centre, float(radius))) >= radius - ROUNDING:
+            continue
+        if len(present.radii) == len(wanted.radii):
+            reach = _kept(state) + min(radius, present.radii[index])
+            centre = last_free_point(present.ends[index, 0], centre, _axes(state), reach)
+            fitting = max(_fitting(state, centre, float(radius)), min(radius, present.radii[index]))
+        elif fitting < SMALLEST * state.robot.reach:
+            raise HelicoideError(NO_SPACE.format(n=index + 1))
+        wanted = wanted.with_sphere_at(index, centre, fitting)
+        said.append(_at_arm(state, index))
+    return wanted, said
 
 
 def _roomy(state: State, radius: float) -> Array:

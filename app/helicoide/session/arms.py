@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -49,6 +49,13 @@ class Arms:
             self.workcell.ask(update)
         else:
             self.change(name, lengths, update)
+
+    def go_to(self, robot_name: str, q: Sequence[float]) -> None:
+        """Bring a robot to joint values q, rad or m. Another robot is loaded first."""
+        if self.workcell.state.robot.name == robot_name:
+            self.workcell.ask(gate.go_to_joints(q))
+        else:
+            self.change(robot_name, then=gate.go_to_joints(q))
 
     def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
         """Load another robot into the workcell, and then apply an update to it.

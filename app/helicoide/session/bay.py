@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+from helicoide import gate
 from helicoide.command import HoldPosition
+from helicoide.history import History
 from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
 from helicoide.session.display import Display, Supply
@@ -81,11 +83,20 @@ class Bay:
                 self._supplied = key
                 self.do(request)
 
+    def finish_change(self) -> None:
+        """Let the next change of the scene be one of its own."""
+        if self.workcell.state.history.unfinished:
+            self.workcell.tell(gate.finish_change())
+
     def do(self, request: PageRequest) -> None:
         """Carry out a request about the arm or its scene."""
         match request:
             case rows.ForArm(update):
                 self.workcell.ask(update)
+            case rows.Undo():
+                self.workcell.ask(lambda state: gate.undo_change(self.workcell.connected)(state))
+            case rows.Redo():
+                self.workcell.ask(lambda state: gate.redo_change(self.workcell.connected)(state))
             case rows.ForLab(robot):
                 self.arms.change(robot)
             case rows.Play(motion):
@@ -149,7 +160,8 @@ class Bays:
             if len(self.all) > MOST_OWN:
                 raise HelicoideError(FULL.format(n=MOST_OWN))
             copy = with_command(self.shared.workcell.state, HoldPosition())
-            place.own = self._add(replace(copy, request=replace(copy.request, drag=None, goal=None))).workcell
+            request = replace(copy.request, drag=None, goal=None)
+            place.own = self._add(replace(copy, request=request, history=History())).workcell
 
     def keep(self, places: Iterable[Place]) -> None:
         """Keep the own workcells of these places, and remove all others."""

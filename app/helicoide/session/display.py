@@ -178,7 +178,8 @@ class Display:
         """Update the status line. Until the kernels are compiled, `Lab` writes it."""
         if view.ready:
             said = status(view.state)
-            notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected, view.seat.projector)
+            seat, everywhere = view.seat, self.workcell.connected
+            notice = Notice(seat.language, said.text, said.tone, everywhere, seat.projector, seat.transparent)
             self.control.push(window.link.key, notice)
 
     async def _written(self, window: Window) -> float:

@@ -25,7 +25,15 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, introduce
-from helicoide.view.link import HelicoideFirstLesson, PageMessage, connection_of
+from helicoide.view.link import (
+    HelicoideFence,
+    HelicoideFirstLesson,
+    HelicoideMadeAt,
+    HelicoideRedo,
+    HelicoideUndo,
+    PageMessage,
+    connection_of,
+)
 from helicoide.view.panels.lesson import first_lesson
 from helicoide.view.rows import PageRequest, View
 from helicoide.view.scene import light_scene
@@ -53,7 +61,7 @@ class Lab:
         self.seats = Seats(lesson_name, projector)
         self.visitors: dict[int, Visitor] = {}
         self.lines: dict[int, WindowChannel] = {}
-        self.control = ControlChannel(self._stopped, self._released, self._turned)
+        self.control = ControlChannel(self._stopped, self._released, self._turned, self._idle)
         self.ready = False
         self.clock = Clock(lambda: self.bays.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
@@ -169,11 +177,11 @@ class Lab:
             if client.client_id in self.lines:
                 raise
             return
-        place = self.seats.take(hello.seat, self.language or hello.language or "en")
+        place = self.seats.take(hello.seat, self.language or hello.language or "en", hello.dark)
         line.tell(seat=place.seat.token)
-        await self._furnish(client, line, place)
+        await self._furnish(client, line, place, hello.link)
 
-    async def _furnish(self, client: Client, line: WindowChannel, place: Place) -> None:
+    async def _furnish(self, client: Client, line: WindowChannel, place: Place, link: str) -> None:
         bay = self.bays.of(place)
         window = Window(
             client, line.link, View(bay.workcell.state, place.seat, place.study_panel, self.ready), self.act
@@ -185,6 +193,8 @@ class Lab:
         await window.furnish(visitor.view(self.ready))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
+        if link and not window.gone:
+            visitor.open_link(link)
 
     async def _leave(self, client: Client) -> None:
         """A window closes."""
@@ -208,12 +218,19 @@ class Lab:
 
     def _on_message(self, client_id: int, message: PageMessage) -> None:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
-        if isinstance(message, HelicoideFirstLesson):
-            if visitor is not None:
+        match message:
+            case HelicoideFence() | HelicoideMadeAt():
+                if line is not None and line.link.hear(message) and visitor is not None:
+                    visitor.window.restore()
+                    visitor.write()
+            case _ if visitor is None:
+                return
+            case HelicoideFirstLesson():
                 visitor.window.act(first_lesson())
-        elif line is not None and line.link.hear(message) and visitor is not None:
-            visitor.window.restore()
-            visitor.write()
+            case HelicoideUndo():
+                visitor.window.act(rows.Undo())
+            case HelicoideRedo():
+                visitor.window.act(rows.Redo())
 
     def act(self, window: Window, request: PageRequest) -> None:
         """Carry out a request if it is accepted. The rows of the window are written again in any case."""
@@ -238,6 +255,10 @@ class Lab:
                 self.studies.change(visitor.place, update)
             case rows.OwnArm(on):
                 self._move(visitor, on)
+            case rows.TakeLink(own):
+                self._take_link(visitor, own)
+            case rows.CloseLink():
+                visitor.close_link()
             case rows.Save(name, content):
                 visitor.window.client.send_file_download(name, content)
             case request if isinstance(request, rows.RecordingRequest):
@@ -267,6 +288,12 @@ class Lab:
         if visitor is not None and (grasp := visitor.drag) is not None:
             self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
+    def _idle(self, key: str) -> None:
+        """All pointers and keys of a window are up: what they changed is one change, which later ones do not extend."""
+        visitor = self._with(key)
+        if visitor is not None:
+            self.loop.call_later(LET_GO, visitor.bay.finish_change)
+
     def _turned(self, key: str, tab: int) -> None:
         """Another tab of a window is in front."""
         if (visitor := self._with(key)) is not None:
@@ -289,6 +316,14 @@ class Lab:
         self.recording.recordings.meet(visitor.place)
         if visitor.settled:
             visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
+
+    def _take_link(self, visitor: Visitor, own: bool) -> None:
+        """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first."""
+        if own:
+            self._move(visitor, True)
+        if (linked := visitor.place.seat.linked) is not None and (visitor.place.at_own or not own):
+            self.bays.of(visitor.place).arms.go_to(linked.robot, linked.q)
+            visitor.close_link()
 
     def _put_up(self, workcell: Workcell, supply: Supply) -> Display:
         """The display of a workcell."""

@@ -41,12 +41,12 @@ class Seats:
         self.lesson, self.projector = lesson, projector
         self.places: dict[str, Place] = {}
 
-    def take(self, token: str | None, language: Language) -> Place:
-        """The place with that token, or a new one if there is none."""
+    def take(self, token: str | None, language: Language, dark: bool = False) -> Place:
+        """The place with that token, or a new one if there is none. language, dark: of a new one."""
         place = self.places.get(token or "")
         if place is None:
             token = secrets.token_urlsafe(12)
-            place = self.places[token] = Place(new_seat(token, language, self.lesson, self.projector))
+            place = self.places[token] = Place(new_seat(token, language, self.lesson, self.projector, dark))
         place.windows += 1
         return place
 

@@ -6,7 +6,10 @@ import asyncio
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from time import monotonic
+
+import numpy as np
 
 from helicoide import gate, lesson
 from helicoide.readout.history import NO_HISTORY, History
@@ -16,11 +19,14 @@ from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
 from helicoide.state import Drag
-from helicoide.text import Text
-from helicoide.view.channel import ControlChannel, Notice
-from helicoide.view.rows import View
+from helicoide.text import HelicoideError, Text
+from helicoide.view.channel import ControlChannel, Notice, share_link
+from helicoide.view.link_rows import with_linked
+from helicoide.view.rows import ShowTab, View
+from helicoide.view.share import decode_link
 from helicoide.view.window import CLEARED, Window
 
+SAME_POSTURE = 1e-3  # rad or m; a link rounds joint values
 log = logging.getLogger("helicoide")
 
 
@@ -104,7 +110,27 @@ class Visitor:
     def say(self, control: ControlChannel, text: Text) -> None:
         """Show a text in the status line, until the next one."""
         seat = self.place.seat
-        control.push(self.window.link.key, Notice(seat.language, text, "warn", projector=seat.projector))
+        notice = Notice(seat.language, text, "warn", projector=seat.projector, transparent=seat.transparent)
+        control.push(self.window.link.key, notice)
+
+    def open_link(self, text: str) -> None:
+        """Show the view of a link: camera and tab at once; an arm in another posture is only asked for."""
+        try:
+            shared = decode_link(text)
+        except HelicoideError as refusal:
+            self.window.tell(refusal.text)
+            return
+        self.window.look(*shared.camera)
+        self.window.act(ShowTab(shared.tab))
+        state, linked = self.bay.workcell.state, shared.posture
+        there = len(linked.q) == len(state.arm.q) and np.allclose(linked.q, state.arm.q, rtol=0, atol=SAME_POSTURE)
+        if linked.robot != state.robot.name or not there:
+            self.reseat(partial(with_linked, linked))
+
+    def close_link(self) -> None:
+        """Forget the link, also in the address of the page."""
+        share_link(self.window.client, "")
+        self.reseat(partial(with_linked, None))
 
     def write(self) -> None:
         """Have the rows of the window updated if they have changed."""

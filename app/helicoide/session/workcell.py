@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import replace
+from functools import partial
 from threading import Lock
 
 from helicoide import gate
@@ -83,7 +84,7 @@ class Workcell:
         """Apply all queued updates. Like `tick` and `foresee`, only in the clock's thread."""
         while (update := self._next()) is not None:
             self.resting = False
-            self.state = self._tried(update, lambda state: state)
+            self.state = self._tried(partial(_applied, update), lambda state: state)
 
     def _next(self) -> Update | None:
         with self._lock:
@@ -129,6 +130,11 @@ class Workcell:
         except Exception:
             log.exception("an update failed and was skipped")
             return replace(otherwise(self.state), notice=FAILED)
+
+
+def _applied(update: Update, state: State) -> State:
+    """The state after an update, which can be undone."""
+    return gate.recorded(state, update(state))
 
 
 def _searched_in_vain(state: State) -> State:

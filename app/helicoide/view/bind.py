@@ -28,7 +28,7 @@ def on_value(handle: Any, act: Callable[[Any], None]) -> None:
     handle.on_update(changed)
 
 
-def on_press(button: viser.GuiButtonHandle, act: Callable[[], None]) -> None:
+def on_press(button: viser.GuiButtonHandle | viser.GuiButtonGroupHandle, act: Callable[[], None]) -> None:
     """Call `act` at each press of a button."""
 
     async def pressed(event: viser.GuiEvent[Any]) -> None:

@@ -28,13 +28,14 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 @dataclass(frozen=True)
 class Notice:
     """The status line of one window. everywhere: whether its Stop also stops a real arm; projector: whether the text
-    is large."""
+    is large; transparent: whether the arm is transparent."""
 
     language: Language
     status: Text
     tone: Tone
     everywhere: bool = False
     projector: bool = False
+    transparent: bool = False
 
     def json(self) -> str:
         """The notice as the JSON text that the page reads."""
@@ -45,16 +46,22 @@ class Notice:
                 "tone": self.tone,
                 "everywhere": self.everywhere,
                 "projector": self.projector,
+                "transparent": self.transparent,
             }
         )
 
 
 @dataclass(frozen=True)
 class Hello:
-    """The first message of a page: the seat that its browser has stored, and the language that it asks for."""
+    """The first message of a page: the seat that its browser has stored, and the language that it asks for.
+
+    dark: whether the browser prefers a dark page; link: the fragment of the page's address, empty without one.
+    """
 
     seat: str | None
     language: Language | None
+    dark: bool = False
+    link: str = ""
 
 
 @dataclass(eq=False)
@@ -77,12 +84,14 @@ class ControlChannel:
 
     on_stop: takes the key of the window that stops, None before the page has named its window, and whether the same
     keystroke also closes something on the page; on_release: takes the key of a window whose pointer was released, or
-    whose last channel has closed; on_tab: takes the key of a window and the number of the tab in front.
+    whose last channel has closed; on_tab: takes the key of a window and the number of the tab in front; on_idle: takes
+    the key of a window in which no pointer and no key is down any more.
     """
 
     on_stop: Callable[[str | None, bool], None]
     on_release: Callable[[str], None] = lambda key: None
     on_tab: Callable[[str, int], None] = lambda key, tab: None
+    on_idle: Callable[[str], None] = lambda key: None
     _lines: dict[str, WindowChannel] = field(default_factory=dict)
 
     def open(self, key: str) -> WindowChannel:
@@ -139,6 +148,10 @@ class ControlChannel:
             if here:
                 self.on_release(here[-1])
             return []
+        if message.get("idle") is True:
+            if here:
+                self.on_idle(here[-1])
+            return []
         if (tab := message.get("tab")) is not None:
             if here and isinstance(tab, int):
                 self.on_tab(here[-1], tab)
@@ -175,7 +188,18 @@ def introduce(client: viser.ClientHandle, key: str) -> None:
 
 def show_tab(client: viser.ClientHandle, index: int) -> None:
     """Bring a tab of the panel to the front; viser has no message for this."""
-    client.gui._websock_interface.queue_message(RunJavascriptMessage(source=f"window.helicoideShowTab?.({index})"))
+    _call(client, "helicoideShowTab", index)
+
+
+def share_link(client: viser.ClientHandle, fragment: str) -> None:
+    """Put a link into the address of the page, and on the clipboard if the browser allows it; "" removes it."""
+    _call(client, "helicoideShare", fragment)
+
+
+def _call(client: viser.ClientHandle, function: str, value: int | str) -> None:
+    """Call a function of our scripts on the page with a value."""
+    source = f"window.{function}?.({json.dumps(value)})"
+    client.gui._websock_interface.queue_message(RunJavascriptMessage(source=source))
 
 
 def _hello(message: dict[str, object]) -> Hello:
@@ -183,7 +207,13 @@ def _hello(message: dict[str, object]) -> Hello:
     wanted = [one for one in languages if isinstance(one, str)] if isinstance(languages, list) else []
     spoken = next((one for one in wanted if one[:2] in ("pt", "en")), None)
     language: Language | None = None if spoken is None else "pt_BR" if spoken.startswith("pt") else "en"
-    return Hello(seat if isinstance(seat, str) else None, language)
+    link = message.get("link")
+    return Hello(
+        seat if isinstance(seat, str) else None,
+        language,
+        message.get("dark") is True,
+        link if isinstance(link, str) else "",
+    )
 
 
 def _parse(raw: str | bytes) -> dict[str, object]:

@@ -9,7 +9,7 @@ from viser import uplot
 
 from helicoide.arrays import Array
 from helicoide.export.study_table import significant_digits
-from helicoide.export.svg import axis_range, caption, figure, powers
+from helicoide.export.svg import COLOURS, axis_range, caption, figure, powers
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
@@ -22,7 +22,6 @@ CHART, CAPTION = Markup("<div class='helicoide-chart'>{}</div>"), Markup("<figur
 BAND_FILLS = {False: "rgba(230, 159, 0, 0.2)", True: "rgba(213, 94, 0, 0.22)"}
 BAND_EDGES = {False: "#b26b00", True: "#b0350a"}
 HIDDEN = "helicoide-hidden"  # a line without an entry in the legend
-COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f")
 
 
 def common(chart: Chart) -> tuple[Array, ...]:

@@ -19,6 +19,7 @@ from helicoide.view import bind
 from helicoide.view.rows import (
     Ask,
     Button,
+    ButtonGroup,
     Checkbox,
     Dropdown,
     PageRequest,
@@ -112,6 +113,22 @@ class ButtonControl:
 
     def remove(self) -> None:
         """Remove the control from the window."""
+        self.handle.remove()
+
+
+class GroupControl:
+    """Small buttons in a row, which are the same in every view."""
+
+    def __init__(self, gui: viser.GuiApi, row: ButtonGroup, view: View, ask: Ask) -> None:
+        keys = {text[view.seat.language]: key for key, text in row.options}
+        self.handle: Any = gui.add_button_group(row.label[view.seat.language], tuple(keys))
+        bind.on_press(self.handle, lambda: ask(lambda: row.request(keys[self.handle.value])))
+
+    def refresh(self, view: View) -> None:
+        """Nothing changes with the view."""
+
+    def remove(self) -> None:
+        """Remove the buttons from the window."""
         self.handle.remove()
 
 

@@ -38,7 +38,17 @@ class HelicoideFirstLesson(Message, include_in_scene_serialization=False):
     """The user asks for the first lesson, which the hint of a first visit offers."""
 
 
-PageMessage = HelicoideFence | HelicoideMadeAt | HelicoideFirstLesson
+@dataclass
+class HelicoideUndo(Message, include_in_scene_serialization=False):
+    """The user undoes the last change by the keyboard."""
+
+
+@dataclass
+class HelicoideRedo(Message, include_in_scene_serialization=False):
+    """The user makes the change again that was undone last, by the keyboard."""
+
+
+PageMessage = HelicoideFence | HelicoideMadeAt | HelicoideFirstLesson | HelicoideUndo | HelicoideRedo
 
 
 @dataclass

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
+from helicoide.view.colours import Colour
 from helicoide.view.layers import Stage
 from helicoide.view.layers.arm import LinkNodes
 
-Colour = tuple[int, int, int]
 THICKNESS = 0.0016
 
 

@@ -14,25 +14,47 @@ from helicoide.seat import Seat
 from helicoide.studies import panel_state
 from helicoide.text import Text
 from helicoide.view import layers, panels
+from helicoide.view.camera import PRESETS
 from helicoide.view.page import STOP
 from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
 from helicoide.view.plan_rows import DISCARD, EXECUTE
 from helicoide.view.rows import (
+    CopyLink,
     ForArm,
     ForLab,
     ForSeat,
     ForStudyPanel,
+    Look,
     OwnArm,
     PageRequest,
     PlanMotion,
+    Redo,
     ShowTab,
     Stop,
+    Undo,
 )
-from helicoide.view.top_rows import OWN, PROJECTOR, SHARED, with_projector
+from helicoide.view.top_rows import (
+    COPY_LINK,
+    DARK,
+    OWN,
+    PROJECTOR,
+    SHARED,
+    TRANSPARENT,
+    with_dark,
+    with_projector,
+    with_transparent,
+)
 
-NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
+UNDO_KEY = Text(en="Undo (Ctrl+Z)", pt_BR="Desfazer (Ctrl+Z)")
+REDO_KEY = Text(en="Redo (Ctrl+Shift+Z)", pt_BR="Refazer (Ctrl+Shift+Z)")
+CAMERA = Text(en="Camera: {title}", pt_BR="Câmera: {title}")
+LOOKS = (
+    (with_projector, PROJECTOR, Text(en="Projector off", pt_BR="Sem projetor")),
+    (with_dark, DARK, Text(en="Light", pt_BR="Claro")),
+    (with_transparent, TRANSPARENT, Text(en="Solid arm", pt_BR="Braço opaco")),
+)
 TAB = Text(en="Tab: {title}", pt_BR="Aba: {title}")
 POSE = Text(en="Go to pose: {title}", pt_BR="Ir para a pose: {title}")
 PLAN_TO = Text(en="Plan a motion to: {title}", pt_BR="Planejar movimento para: {title}")
@@ -51,8 +73,14 @@ def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
         yield PARK, ForArm(gate.park())
     yield Text(en="Play the path", pt_BR="Reproduzir a trajetória"), ForArm(gate.play())
     yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
-    for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):
-        yield words, ForSeat(partial(with_projector, on))
+    yield UNDO_KEY, Undo()
+    yield REDO_KEY, Redo()
+    yield COPY_LINK, CopyLink()
+    for preset, title in PRESETS.items():
+        yield CAMERA.format(title=title), Look(preset)
+    for look, on_words, off_words in LOOKS:
+        yield on_words, ForSeat(partial(look, True))
+        yield off_words, ForSeat(partial(look, False))
     yield OWN, OwnArm(True)
     yield SHARED, OwnArm(False)
     for index, panel in enumerate(panels.all_panels()):

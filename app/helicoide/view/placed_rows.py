@@ -20,6 +20,7 @@ from helicoide.view.rows import (
     Ask,
     Bar,
     Button,
+    ButtonGroup,
     Checkbox,
     DependentRows,
     Dropdown,
@@ -168,6 +169,8 @@ def _pose_rows(gui: viser.GuiApi, row: Row, view: View, act: Act, ask: Ask) -> W
             return _Words(gui, row, view)
         case Button():
             return controls.ButtonControl(gui, row, view, ask)
+        case ButtonGroup():
+            return controls.GroupControl(gui, row, view, ask)
         case Slider():
             return controls.slider(gui, row, view, ask)
         case Checkbox():

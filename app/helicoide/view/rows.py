@@ -20,6 +20,7 @@ from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelU
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
 
+CameraPreset = Literal["front", "side", "top", "tool", "first"]
 Key = TypeVar("Key", bound=Hashable)
 
 
@@ -41,6 +42,12 @@ class View:
     recorder: RecorderStatus | None = None
     history: History = NO_HISTORY
     time: float = 0.0
+
+    def linked_here(self) -> tuple[float, ...] | None:
+        """The joint values (n,), rad or m, of a link about the arm that is shown; None without such a link."""
+        linked, robot = self.seat.linked, self.state.robot
+        fits = linked is not None and linked.robot == robot.name and len(linked.q) == len(self.state.arm.q)
+        return linked.q if linked is not None and fits else None
 
     def handles_moved(self, old: View | None) -> bool:
         """Whether handles may have moved since an older view, or another pointer may hold one."""
@@ -177,10 +184,44 @@ class Stop:
 
 
 @dataclass(frozen=True)
+class Undo:
+    """A request to undo the last change of the scene or of a setting."""
+
+
+@dataclass(frozen=True)
+class Redo:
+    """A request to make the change again that was undone last."""
+
+
+@dataclass(frozen=True)
 class OwnArm:
     """A request for an arm of one's own (on), or for the shared arm again (off)."""
 
     on: bool
+
+
+@dataclass(frozen=True)
+class TakeLink:
+    """A request to bring an arm to the posture of a link that was opened: the shown arm, or one of one's own (own)."""
+
+    own: bool
+
+
+@dataclass(frozen=True)
+class CloseLink:
+    """A request to forget a link that was opened."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """A request to move the camera of this window to a preset."""
+
+    preset: CameraPreset
+
+
+@dataclass(frozen=True)
+class CopyLink:
+    """A request for a link to what this window shows."""
 
 
 @dataclass(frozen=True)
@@ -215,7 +256,13 @@ PageRequest = (
     | PlayFastest
     | RecordingRequest
     | Stop
+    | Undo
+    | Redo
     | OwnArm
+    | TakeLink
+    | CloseLink
+    | Look
+    | CopyLink
     | ShowTab
     | Save
 )
@@ -264,6 +311,15 @@ class Button:
     enabled: Callable[[View], bool] = always
     shown: Callable[[View], bool] = always
     weight: Weight = "plain"
+
+
+@dataclass(frozen=True)
+class ButtonGroup:
+    """Small buttons in a row, each with its key."""
+
+    label: Text
+    options: Sequence[tuple[Any, Text]]
+    request: Callable[[Any], PageRequest]
 
 
 @dataclass(frozen=True)
@@ -345,4 +401,6 @@ class Folder:
     open: bool = True
 
 
-Row = HtmlRow | Slider | Button | Checkbox | Dropdown | VectorRow | TextEntry | Upload | Bar | Plot | Folder
+Row = (
+    HtmlRow | Slider | Button | ButtonGroup | Checkbox | Dropdown | VectorRow | TextEntry | Upload | Bar | Plot | Folder
+)

@@ -13,6 +13,8 @@ from helicoide.view.layers import Layers, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
+# Windows with a light and a dark background share the grid.
+CELLS, SECTIONS = (170, 170, 170), (120, 120, 120)
 NOBODY = Seat(token="", language="en")
 # From the side and above; the camera looks to the right of the arm, since the panel covers the right side.
 FROM_THE_SIDE, TO_THE_RIGHT, FARTHER = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0]), 1.25
@@ -47,7 +49,14 @@ class Scene:
         stage = Stage(scene, robot, shapes, lambda request: None, "")
         side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
         scene.add_grid(
-            "/ground", width=side, height=side, cell_size=cell, section_size=5 * cell, position=(0, 0, robot.floor)
+            "/ground",
+            width=side,
+            height=side,
+            cell_size=cell,
+            section_size=5 * cell,
+            cell_color=CELLS,
+            section_color=SECTIONS,
+            position=(0, 0, robot.floor),
         )
         self.layers = Layers(stage, shared=True)
 

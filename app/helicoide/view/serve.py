@@ -31,7 +31,7 @@ Channel = Callable[[ServerConnection], Awaitable[None]]
 
 Door = Callable[[ServerConnection, Request], Response | None]
 
-CHANNEL_BYTES = 4096  # the longest message a page may send on a channel
+CHANNEL_BYTES = 16384  # the longest message a page may send on a channel; a link of `share.LONGEST_LINK` fits
 PAGE_BYTES = 1 << 20  # and on viser's own socket, which takes files in parts of half that size
 CHANNEL_RATE, PAGE_RATE = 50.0, 500.0  # messages read per second; further ones wait
 
@@ -92,8 +92,13 @@ def serve(
         raise HelicoideError(UNGUARDED.format(version=viser.__version__))
     _woken_once(server.get_event_loop())
     server._websock_server.unregister_handler(ShareUrlRequest)  # any page could ask for a tunnel to a public host
-    server.gui.configure_theme(show_share_button=False, control_width="large")
+    set_theme(server.gui, dark=False)
     return server
+
+
+def set_theme(gui: viser.GuiApi, dark: bool) -> None:
+    """Show viser's panels and the background of the scene dark or light, without viser's own share button."""
+    gui.configure_theme(show_share_button=False, control_width="large", dark_mode=dark)
 
 
 def _woken_once(loop: asyncio.AbstractEventLoop) -> None:

@@ -9,26 +9,27 @@ from itertools import chain
 from time import monotonic, perf_counter
 from types import MappingProxyType
 
+import numpy as np
 import viser
 from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPositionMessage
 
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.seat import Seat
+from helicoide.seat import LinkedPosture, Seat
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import bind, layers, panels
-from helicoide.view.channel import show_tab
+from helicoide.view.camera import camera_pose
+from helicoide.view.channel import share_link, show_tab
 from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.palette import palette
 from helicoide.view.placed_rows import WindowRow, place_rows
-from helicoide.view.rows import (
-    PageRequest,
-    ShowTab,
-    View,
-)
+from helicoide.view.rows import CopyLink, Look, PageRequest, ShowTab, View
 from helicoide.view.scene import outlook
+from helicoide.view.serve import set_theme
 from helicoide.view.shapes import Shape
+from helicoide.view.share import SharedView, encode_link
 from helicoide.view.top_rows import top_rows
 from helicoide.view.uploads import Uploads
 
@@ -40,6 +41,10 @@ LATE = Text(
     pt_BR="O comando chegou com mais de um segundo de atraso e foi ignorado: o computador ou a rede está lento. Tente "
     "de novo.",
 )
+COPIED = Text(
+    en="The address of this page now shows this view. Where the browser allows it, it is on the clipboard too.",
+    pt_BR="O endereço desta página agora mostra esta vista. Onde o navegador permite, ele também foi copiado.",
+)
 TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of writing rows, after which other tasks get a turn
 # s that a browser needs to clear a scene: a node that is removed and added in one message keeps its old pose
@@ -48,10 +53,10 @@ CLEARED = 0.15
 WEIGHT = 1.6
 
 
-def new_seat(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
+def new_seat(token: str, language: Language, lesson: str | None, projector: bool = False, dark: bool = False) -> Seat:
     """A new seat; each optional layer is shown or hidden by its own default."""
     shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
-    return Seat(token=token, language=language, lesson=lesson, visible_layers=shows, projector=projector)
+    return Seat(token=token, language=language, lesson=lesson, visible_layers=shows, projector=projector, dark=dark)
 
 
 def preload(robot: Robot) -> None:
@@ -106,11 +111,28 @@ class Window:
 
     def act(self, request: PageRequest) -> None:
         """Pass a request on. The page is then written again, whether or not the request is granted."""
-        if isinstance(request, ShowTab):
-            show_tab(self.client, request.index)
-        else:
-            self.written = None
-            self.hand_on(self, request)
+        match request:
+            case ShowTab(index):
+                show_tab(self.client, index)
+            case Look(preset):
+                camera = self.client.camera
+                self.look(*camera_pose(preset, self.view.state, camera.fov, camera.aspect))
+            case CopyLink():
+                share_link(self.client, encode_link(self._shared()))
+                self.tell(COPIED)
+            case _:
+                self.written = None
+                self.hand_on(self, request)
+
+    def _shared(self) -> SharedView:
+        """What a link to this window shows."""
+        state, camera = self.view.state, self.client.camera
+        posture = LinkedPosture(state.robot.name, tuple(state.arm.q.tolist()))
+        return SharedView(posture, (np.array(camera.position), np.array(camera.look_at)), self.tab or 0)
+
+    def look(self, position: Array, target: Array) -> None:
+        """Move the camera of this window to a position, and turn it to a target, (3,) m each."""
+        self.client.camera.position, self.client.camera.look_at = position, target
 
     def stage(self, view: View, shapes: list[Shape]) -> None:
         """Add this window's own layers for the arm of a view, and point the camera at a new arm."""
@@ -119,8 +141,8 @@ class Window:
         self.shapes, self.weight = shapes, _weight(view.seat)
         self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who, self.weight), shared=False)
         if self.looks_at is not robot:
-            self.looks_at, camera = robot, self.client.camera
-            camera.position, camera.look_at = outlook(robot, upright=camera.aspect < 1.0)
+            self.looks_at = robot
+            self.look(*outlook(robot, upright=self.client.camera.aspect < 1.0))
 
     async def _restage(self, view: View) -> None:
         """Replace this window's own layers by larger or smaller ones."""
@@ -148,6 +170,7 @@ class Window:
             self.view = view
             gui, language = self.client.gui, view.seat.language
             gui.reset()
+            set_theme(gui, view.seat.dark)
             gui.set_panel_label(PANEL[language])
             self.placed, self.commands = [], []
             self.top = place_rows(gui, top_rows(), view, self.act)
@@ -192,6 +215,8 @@ class Window:
             return 0.0
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)
+        if self.view.seat.dark != view.seat.dark:
+            set_theme(self.client.gui, view.seat.dark)
         if self.layers is not None and self.weight != _weight(view.seat):
             await self._restage(view)
         self.view = self.written = view

@@ -1,4 +1,9 @@
-"""The arm: a frame for each URDF link with its meshes, placed by our own forward kinematics."""
+"""The arm: a frame for each URDF link with its meshes, placed by our own forward kinematics.
+
+All windows of a workcell share these nodes. Whether the arm is transparent belongs to a seat, so the pages themselves
+change the materials of the meshes (static/transparent.js). A second, transparent copy in each window would be one more
+object to move at every frame, and viser has no opacity for GLB meshes.
+"""
 
 from __future__ import annotations
 

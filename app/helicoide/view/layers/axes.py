@@ -6,6 +6,7 @@ import numpy as np
 import viser
 
 from helicoide.text import Text
+from helicoide.view.colours import BLUE
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -20,7 +21,7 @@ SAID = Text(
 )
 
 HALF, TIP = 0.6, 0.28  # half the line, and the length of the arrow that shows the sense of the axis, × size, m
-COLOUR = (21, 101, 192)
+COLOUR = BLUE
 
 
 def build(stage: Stage) -> Axes:

@@ -7,6 +7,7 @@ import viser
 
 from helicoide.state import FittedCloud
 from helicoide.text import Text
+from helicoide.view.colours import GREEN, GREY
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -20,7 +21,7 @@ SAID = Text(
     pt_BR="Os pontos medidos: os do plano encontrado em verde, os outros em cinza.",
 )
 
-OFF_IT, ON_IT = (150, 150, 150), (46, 125, 50)
+OFF_IT, ON_IT = GREY, GREEN
 SIZE, MOST = 0.0025, 20_000
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from helicoide.text import Text
+from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View
@@ -17,7 +18,7 @@ SAID = Text(
     pt_BR="As arestas do segundo braço, que segue o mesmo alvo pelo método comparado.",
 )
 
-COLOUR = (106, 27, 154)
+COLOUR = PURPLE
 
 
 def build(stage: Stage) -> ComparedOutline:

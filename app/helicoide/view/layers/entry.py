@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import viser
 
+from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
 NAME = "entry"
 SHARED = True
 
-COLOUR = (106, 27, 154)
+COLOUR = PURPLE
 RADIUS = 0.014
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from helicoide.command import FollowPath, HoldPosition
 from helicoide.readout import SHORT
 from helicoide.state import State
+from helicoide.view.colours import GREEN, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View
@@ -14,7 +15,7 @@ from helicoide.view.rows import View
 NAME = "goal"
 SHARED = True
 
-MET, MISSED = (0, 150, 136), (230, 81, 0)
+MET, MISSED = GREEN, VERMILION
 AWAY = 0.02
 
 

@@ -8,6 +8,7 @@ import viser
 from helicoide import gate
 from helicoide.command import FollowPath, PathChoice
 from helicoide.text import Text
+from helicoide.view.colours import GREY
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -21,7 +22,7 @@ SAID = Text(
     pt_BR="A trajetória que o efetuador segue com “Reproduzir”.",
 )
 
-COLOUR = (194, 24, 91)
+COLOUR = GREY
 PIECES = 200
 
 

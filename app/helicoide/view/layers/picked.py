@@ -16,13 +16,14 @@ from helicoide.perception.pointing import point_under_ray
 from helicoide.perception.selecting import selection_under_ray
 from helicoide.state import State
 from helicoide.view import bind
+from helicoide.view.colours import VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForArm, ForSeat, View
 
 NAME = "picked"
 SHARED = False
 
-COLOUR, SIZE, NEEDED = (194, 24, 91), 0.012, 3
+COLOUR, SIZE, NEEDED = VERMILION, 0.012, 3
 
 
 def build(stage: Stage) -> Picked:

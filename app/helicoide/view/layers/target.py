@@ -13,6 +13,7 @@ from helicoide.command import MoveToPose
 from helicoide.readout import SHORT
 from helicoide.state import Drag, State
 from helicoide.view import bind
+from helicoide.view.colours import GREEN, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
 from helicoide.view.rows import ForArm, View
@@ -20,7 +21,7 @@ from helicoide.view.rows import ForArm, View
 NAME = "target"
 SHARED = False
 
-NEAR, FAR = (0, 150, 136), (230, 81, 0)
+NEAR, FAR = GREEN, VERMILION
 
 
 def build(stage: Stage) -> Target:

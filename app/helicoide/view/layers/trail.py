@@ -8,6 +8,7 @@ import numpy as np
 import viser
 
 from helicoide.text import Text
+from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -23,7 +24,7 @@ SAID = Text(
 
 LENGTH = 200
 APART = 6e-3
-COLOUR = (106, 27, 154)
+COLOUR = PURPLE
 
 
 def build(stage: Stage) -> Trail:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from helicoide.arrays import frozen
 from helicoide.command import GetReady, HoldPosition, MoveToJoints, Park
@@ -39,6 +40,19 @@ def set_joint(index: int, angle: float) -> Update:
         q = goal.copy()
         q[index] = min(max(value, limits.lower[index]), limits.upper[index])
         return with_command(state, MoveToJoints(frozen(q), first_to_stop=index))
+
+    return driven(change)
+
+
+def set_joints(q: ArrayLike) -> Update:
+    """Set the targets of all joints, (n,), rad or m. Refused if one is outside its limits."""
+
+    def change(state: State) -> State:
+        values, limits = finite(q, state.arm.q.shape), state.problem.limits
+        beyond = np.flatnonzero((values < limits.lower - 1e-6) | (values > limits.upper + 1e-6))
+        if beyond.size:
+            raise HelicoideError(_outside(state, int(beyond[0])))
+        return with_command(state, MoveToJoints(frozen(np.clip(values, limits.lower, limits.upper))))
 
     return driven(change)
 

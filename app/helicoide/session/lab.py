@@ -66,9 +66,12 @@ class Lab:
         self._judged = 0.0
         self._untidy = 0
 
-    def open(self, host: str, port: int, origins: Collection[str] = ()) -> int:
-        """Serve the page; returns the port. Raises HelicoideError if the port is not available."""
-        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins)
+    def open(self, host: str, port: int, origins: Collection[str] = (), framed: bool = False) -> int:
+        """Serve the page; returns the port. Raises HelicoideError if the port is not available.
+
+        framed: whether notebooks on this computer may show the page in a frame.
+        """
+        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins, framed)
         self.loop = self.server.get_event_loop()
         self.loop.call_soon_threadsafe(self._begin)
         return int(self.server.get_port())

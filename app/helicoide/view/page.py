@@ -85,6 +85,9 @@ POLICY = "; ".join(
     )
 )
 
+# Pages that may show the lab in a frame: notebooks on this computer.
+NOTEBOOKS = "frame-ancestors http://127.0.0.1:* http://localhost:*"
+
 # Fixed here, because the tables of operating systems differ.
 TYPES = {
     ".css": "text/css; charset=utf-8",
@@ -96,8 +99,13 @@ TYPES = {
 }
 
 
-def site(static: Path) -> Callable[[Request], Response]:
-    """The answer to any GET. Files are found in a table made at the start, so no path leads out of the folder."""
+def site(static: Path, framed: bool = False) -> Callable[[Request], Response]:
+    """The answer to any GET. Files are found in a table made at the start, so no path leads out of the folder.
+
+    framed: whether notebooks on this computer may show the lab in a frame.
+    """
+    policy = POLICY.replace("frame-ancestors 'none'", NOTEBOOKS) if framed else POLICY
+    of_page = {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip", "Content-Security-Policy": policy}
     page = gzip.compress(_page().encode())
     pages = {f"/pages/{language}/sources": _long(language) for language in LANGUAGES}
     files = {f"/static/{file.relative_to(static).as_posix()}": file for file in static.rglob("*") if file.is_file()}
@@ -110,7 +118,7 @@ def site(static: Path) -> Callable[[Request], Response]:
             # such a link would connect our page to another server
             return reply(HTTPStatus.FOUND, headers={"Location": "./"})
         if path == "/":
-            return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
+            return reply(HTTPStatus.OK, page, of_page)
         if body := pages.get(path):
             return reply(HTTPStatus.OK, body, {"Content-Type": TYPES[".html"]})
         if file := files.get(unquote(path)):

@@ -19,7 +19,7 @@ class Seat:
     while no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of
     the reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
     files, "" to detect it; projector: whether text and handles are large; way: how the next waypoint is reached from
-    the one before.
+    the one before; picture: the chosen size of pictures, a key of `export_rows.PICTURES`.
     """
 
     token: str
@@ -37,6 +37,7 @@ class Seat:
     cloud_unit: str = ""
     projector: bool = False
     move_type: str = "joints"
+    picture: str = "page"
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

@@ -16,6 +16,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
 from helicoide.session.display import Display
+from helicoide.session.exporting import Exporting
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
@@ -24,6 +25,7 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
+from helicoide.view.file_requests import SaveClip, SaveNotebook, SavePicture
 from helicoide.view.link import HelicoideFirstLesson, PageMessage, connection_of
 from helicoide.view.panels.lesson import first_lesson
 from helicoide.view.rows import PageRequest, View
@@ -67,10 +69,7 @@ class Lab:
         self._untidy = 0
 
     def open(self, host: str, port: int, origins: Collection[str] = (), framed: bool = False) -> int:
-        """Serve the page; returns the port. Raises HelicoideError if the port is not available.
-
-        framed: whether notebooks on this computer may show the page in a frame.
-        """
+        """Serve the page; returns the port. Arguments and errors as in `serve`."""
         self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins, framed)
         self.loop = self.server.get_event_loop()
         self.loop.call_soon_threadsafe(self._begin)
@@ -88,7 +87,8 @@ class Lab:
         self.server.stop()
 
     def _begin(self) -> None:
-        light_scene(self.server)
+        light_scene(self.server.scene)
+        self.exporting = Exporting(self.server)
         connection_of(self.server, self._on_message)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
@@ -239,8 +239,8 @@ class Lab:
                 self.studies.change(visitor.place, update)
             case rows.OwnArm(on):
                 self._move(visitor, on)
-            case rows.Save(name, content):
-                visitor.window.client.send_file_download(name, content)
+            case rows.Save() | SaveNotebook() | SaveClip() | SavePicture():
+                self.exporting.begin(visitor, request)
             case _:
                 visitor.bay.do(request)
 

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from numpy.typing import ArrayLike
 
 from helicoide import readout
-from helicoide.arrays import Array, frozen
+from helicoide.arrays import Array
 from helicoide.command import MoveToPose
 from helicoide.confinement.planes import Plane, pane_on_plane, planes_of
 from helicoide.geometry import rotation
@@ -19,9 +19,8 @@ from helicoide.geometry.multivector import Multivector
 from helicoide.ik.method import changed
 from helicoide.ik.methods import named
 from helicoide.kinematics.differential import frame_jacobian
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, initial_state
+from helicoide.state import State, initial_state, with_joints
 from helicoide.teaching import tables
 from helicoide.teaching.elements import as_plane, pose_of
 from helicoide.teaching.formulations import Formulations
@@ -30,9 +29,7 @@ from helicoide.text import Language, untranslated
 
 def state_at(robot: Robot, q: Array, planes: Mapping[str, Multivector] | None) -> State:
     """The state of an arm at rest at q (n,); planes: by name, instead of those of its file."""
-    state = initial_state(robot)
-    arm = replace(state.arm, q=q, poses=frozen(link_poses(robot.chain, q)))
-    state = replace(state, arm=arm)
+    state = with_joints(initial_state(robot), q)
     if planes is None:
         return state
     panes = []

@@ -16,6 +16,7 @@ from helicoide.state import State, Update
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelUpdate
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
+from helicoide.view.file_requests import FileRequest
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -162,6 +163,7 @@ PageRequest = (
     | OwnArm
     | ShowTab
     | Save
+    | FileRequest
 )
 Act = Callable[[PageRequest], None]
 """Sends a request."""

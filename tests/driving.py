@@ -9,7 +9,6 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.arrays import Array, frozen
-from helicoide.contributions.trials import with_joints
 from helicoide.foresight import advance_with_search
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
@@ -17,7 +16,7 @@ from helicoide.ik.guard.collision import clearances
 from helicoide.ik.packing import packed
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import State, Update
+from helicoide.state import State, Update, with_joints
 
 Random = np.random.Generator
 RandomRequest = Callable[[Random, State], Update]

@@ -12,6 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import helicoide
+
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "app" / "helicoide"
 
@@ -34,7 +36,7 @@ view
 session
 contributions
 commands
-__main__
+__main__ · teaching
 """
 # Exceptions: rooms in the rows above that a room must not import.
 NOT = {"view": {"jobs"}}
@@ -48,6 +50,7 @@ LESSONS = {
 
 LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}
 FILES = sorted(PACKAGE.rglob("*.py"))
+FACE = PACKAGE / "__init__.py"
 LESSON_FILES = sorted((ROOT / "lessons").glob("*/lesson.py"))
 BUILD_FILES = sorted((ROOT / "robots").glob("*/build.py"))
 
@@ -67,7 +70,7 @@ MODULES = {module(file): file for file in FILES}
 
 
 def room(name: str) -> str:
-    """The room of a module; "" for the package itself, which contains only the version."""
+    """The room of a module; "" for the package itself."""
     return name.partition(".")[2].partition(".")[0]
 
 
@@ -100,15 +103,32 @@ def test_the_table_of_the_page_is_this_one() -> None:
     page = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
     (table,) = re.findall(r"(?s)## Who may import whom.*?```\n(.*?)```", page)
     rows = [re.sub(r"\s{2,}\(.*", "", row) for row in table.splitlines()]
-    assert rows[: ROWS.count("\n") - 2] == [*ROWS.strip().splitlines()[:-2], "commands <- __main__"]
+    assert rows[: ROWS.count("\n") - 2] == [*ROWS.strip().splitlines()[:-2], "commands <- __main__ · teaching"]
 
 
 @pytest.mark.parametrize("file", FILES, ids=name_of)
 def test_a_room_imports_from_the_rows_above_only(file: Path) -> None:
     here = room(module(file))
+    if file == FACE:
+        return
     there = {room(name) for name in own_imports(file)} - {here, ""}
     allowed = {other for other in LEVEL if LEVEL[other] < LEVEL.get(here, 0)} - NOT.get(here, set())
     assert there - allowed == set()
+
+
+def test_the_package_itself_is_a_version_and_names_of_one_room() -> None:
+    """What it imports for type checkers alone is of `teaching`, and exactly the names that it loads when used."""
+    (checked,) = (node for node in tree(FACE).body if isinstance(node, ast.If))
+    assert {room(name) for name in own_imports(FACE)} == {"teaching"}
+    assert ast.unparse(checked.test) == "TYPE_CHECKING"
+    named = {(alias.name, node.module) for node in checked.body for alias in node.names}  # type: ignore[attr-defined]
+    assert named == {(name, f"helicoide.teaching.{place}") for name, place in helicoide._MODULES.items()}
+    assert {name for name, _ in named} == set(helicoide.__all__)
+    assert not set(helicoide.__all__) & LEVEL.keys()
+    outside = [
+        node for node in tree(FACE).body if node is not checked and isinstance(node, ast.Import | ast.ImportFrom)
+    ]
+    assert {ast.unparse(node).split()[1] for node in outside} <= {"importlib", "typing"}
 
 
 def test_no_cycles() -> None:
@@ -160,7 +180,7 @@ def test_no_bare_except() -> None:
 
 # HTML is made with Markup only, since a text may contain a name from a user or a file.
 TRUSTS, WRITES = PACKAGE / "markup.py", PACKAGE / "view" / "html.py"
-HTML_ROOMS = [file for file in FILES if room(module(file)) in {"view", "export"}]
+HTML_ROOMS = [file for file in FILES if room(module(file)) in {"view", "export", "geometry", "teaching"}]
 TAG = re.compile(r"</?\w|<!|</?$")
 TO_THE_PAGE = {"add_html", "add_markdown"}
 

@@ -110,7 +110,8 @@ class Seat:
     none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
     dark: whether the page is dark; transparent: whether the arm is; linked: the posture of a link that was opened;
     move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
-    effector that a layer balances; charts: what the charts show.
+    effector that a layer balances; charts: what the charts show;
+    picture: the chosen size of pictures, a key of `export_rows.PICTURES`.
     """
 
     token: str
@@ -137,6 +138,7 @@ class Seat:
     linked: LinkedPosture | None = None
     move_type: str = "joints"
     charts: ChartChoice = ChartChoice()
+    picture: str = "page"
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

@@ -252,6 +252,12 @@ def initial_state(robot: Robot) -> State:
     )
 
 
+def with_joints(state: State, q: Array) -> State:
+    """The state with the arm at other joint values, q (n,), rad or m."""
+    own = frozen(q)
+    return replace(state, arm=replace(state.arm, q=own, poses=frozen(link_poses(state.robot.chain, own))))
+
+
 def with_command(state: State, command: Command) -> State:
     """The state with a new command and no notice."""
     return replace(state, request=replace(state.request.renewed(), command=command), notice=None)

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from helicoide.content import STATIC
 from helicoide.geometry import notation
 from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
 from helicoide.geometry.notation import BladeNaming
@@ -79,3 +80,27 @@ def test_both_namings_are_read_back_as_the_same_multivector(
         np.testing.assert_allclose(
             read_back(notation.multivector_text(values, algebra, naming), algebra), values, atol=1e-12
         )
+
+
+COLOURED = re.compile(r'<span style="color:([^"]+)">([^<]*(?:<sub>\d+</sub>[^<]*)*)</span>')
+
+
+@given(st.data(), signatures)
+def test_html_is_the_text_in_the_colours_of_the_grades(data: st.DataObject, pqr: tuple[int, int, int]) -> None:
+    algebra = Algebra(*pqr)
+    numbers = st.floats(-3, 3).map(lambda x: round(x, 2))
+    values = np.array(data.draw(st.lists(numbers, min_size=algebra.count, max_size=algebra.count)))
+    for naming in NAMINGS:
+        page = notation.multivector_html(values, algebra, naming)
+        plain = unescape(re.sub("<[^>]+>", "", page)).replace("−", "-")
+        assert plain == notation.multivector_text(values, algebra, naming)
+        for colour, term in COLOURED.findall(page):
+            name = re.sub("<[^>]+>", "", term).partition("e")
+            grade = algebra.grades[algebra.parse_blade(name[1] + name[2] or "1")[0]]
+            assert colour == notation.GRADE_COLOURS[grade % 5]
+
+
+def test_colours_are_those_of_the_page() -> None:
+    style = (STATIC / "helicoide.css").read_text("utf-8")
+    colours = re.findall(r"^\.g(\d) { --grade: (#\w+); }", style, re.M)
+    assert [colour for grade, colour in colours if grade != "0"] == list(notation.GRADE_COLOURS[1:])

@@ -6,6 +6,7 @@ import contextlib
 import gzip
 import http.client
 import inspect
+import json
 import logging
 import queue
 import socket
@@ -158,6 +159,17 @@ def test_the_page_of_the_sources_is_served_in_each_language(port: int, language:
     assert (status, headers["Content-Type"]) == (200, "text/html; charset=utf-8")
     assert b'id="vargas-2013"' in body
     assert b"static/page.css" in body
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_about_notebooks_is_served_as_a_page_and_as_a_notebook(port: int, language: Language) -> None:
+    page = get(port, f"/pages/{language}/notebook")
+    assert (page.status, page.headers["Content-Type"]) == (200, "text/html; charset=utf-8")
+    assert b"import helicoide" in page.body
+    assert b'href="notebook.ipynb"' in page.body
+    file = get(port, f"/pages/{language}/notebook.ipynb")
+    assert (file.status, file.headers["Content-Disposition"]) == (200, "attachment")
+    assert json.loads(file.body)["nbformat"] == 4
 
 
 @pytest.mark.parametrize(

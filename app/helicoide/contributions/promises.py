@@ -17,13 +17,13 @@ from helicoide.contributions.trials import (
     far_poses,
     missing,
     singular_starts,
-    with_joints,
 )
 from helicoide.ik.controller import Controller, step
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.manipulability import analyse_jacobian
+from helicoide.state import with_joints
 from helicoide.text import Text
 
 DTS = (0.001, 0.003, 0.01, 0.02, 0.05)

@@ -15,10 +15,9 @@ from helicoide.ik.controller import Controller, ToolTarget, closed_loop_task, st
 from helicoide.ik.method import Task
 from helicoide.ik.objective import Posture
 from helicoide.kinematics import library
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, initial_state
+from helicoide.state import State, initial_state, with_joints
 from helicoide.text import HelicoideError, Text
 
 STILL = np.zeros(3)
@@ -35,12 +34,6 @@ def bare_state(robot: str) -> State:
     """The arm at `ready`, without planes."""
     state = initial_state(library.load_robot(robot))
     return replace(state, problem=replace(state.problem, planes=planes_of(())))
-
-
-def with_joints(state: State, q: Array) -> State:
-    """The state with other joint values, q (n,), rad or m."""
-    robot = state.robot
-    return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
 
 
 def closed_loop_to(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:

@@ -1,4 +1,4 @@
-"""The page about the sources: their errors, what they leave open, and what was chosen, in each language."""
+"""The pages of text in each language, and that about the sources: their errors, and what they leave open."""
 
 from __future__ import annotations
 
@@ -12,8 +12,13 @@ from helicoide.text import Language
 
 
 @cache
-def sources_page(language: Language) -> Markup:
-    """The page as HTML with its drawings; each erratum, such as "vargas-2", is an anchor."""
+def text_page(name: str, language: Language) -> Markup:
+    """The page static/pages/<language>/<name>.md as HTML with its drawings; its headings are anchors."""
     pages = content.STATIC / "pages"
     drawings = {file.name: file.read_text("utf-8") for file in (pages / "drawings").glob("*.svg")}
-    return markdown_to_html((pages / language / "sources.md").read_text("utf-8"), drawings)
+    return markdown_to_html((pages / language / f"{name}.md").read_text("utf-8"), drawings)
+
+
+def sources_page(language: Language) -> Markup:
+    """The page about the sources as HTML; each erratum, such as "vargas-2", is an anchor."""
+    return text_page("sources", language)

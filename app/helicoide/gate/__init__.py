@@ -22,7 +22,7 @@ from helicoide.gate.enclosure import (
     unsay,
 )
 from helicoide.gate.entry import ENTRY, drag_entry, enforce_entry, set_entry
-from helicoide.gate.joints import NO_PARKING, get_ready, go_to, go_to_joints, park, set_gripper, set_joint
+from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint, set_joints
 from helicoide.gate.mapping import choose_map, clear_map, cut_map, end_map, fail_map, show_map, start_map, tell_map
 from helicoide.gate.method import (
     HEAVIEST,
@@ -118,7 +118,6 @@ __all__ = [
     "get_ready",
     "go_beyond_singular",
     "go_to",
-    "go_to_joints",
     "go_to_posture",
     "grow_weights",
     "keep_orientation",
@@ -156,6 +155,7 @@ __all__ = [
     "set_grip",
     "set_gripper",
     "set_joint",
+    "set_joints",
     "set_moment",
     "set_move_type",
     "set_objective",

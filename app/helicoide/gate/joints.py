@@ -45,6 +45,19 @@ def set_joint(index: int, angle: float) -> Update:
     return driven(change)
 
 
+def set_joints(q: ArrayLike) -> Update:
+    """Set the targets of all joints, (n,), rad or m. Refused if one is outside its limits."""
+
+    def change(state: State) -> State:
+        values, limits = finite(q, (len(state.arm.q),)), state.problem.limits
+        outside = (values < limits.lower - ROUNDED) | (values > limits.upper + ROUNDED)
+        if outside.any():
+            raise HelicoideError(_outside(state, int(outside.argmax())))
+        return with_command(state, MoveToJoints(frozen(np.clip(values, limits.lower, limits.upper))))
+
+    return driven(change)
+
+
 def _outside(state: State, index: int) -> Text:
     joint, limits = state.robot.variables[index], state.problem.limits
     scale, unit = (1000.0, " mm") if joint.is_prismatic else (180 / np.pi, "°")
@@ -58,19 +71,6 @@ def _outside(state: State, index: int) -> Text:
         upper=scale * limits.upper[index],
         unit=unit,
     )
-
-
-def go_to_joints(q: ArrayLike) -> Update:
-    """Go to joint values q (n,), rad or m, inside the limits."""
-
-    def change(state: State) -> State:
-        values, limits = finite(q, (len(state.arm.q),)), state.problem.limits
-        outside = (values < limits.lower - ROUNDED) | (values > limits.upper + ROUNDED)
-        if outside.any():
-            raise HelicoideError(_outside(state, int(outside.argmax())))
-        return with_command(state, MoveToJoints(frozen(np.clip(values, limits.lower, limits.upper))))
-
-    return driven(change)
 
 
 def go_to(name: str) -> Update:

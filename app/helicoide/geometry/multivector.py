@@ -5,6 +5,7 @@ from __future__ import annotations
 from numbers import Real
 
 import numpy as np
+from markupsafe import Markup
 from numpy import empty
 
 from helicoide.geometry import notation
@@ -13,6 +14,9 @@ from helicoide.geometry.products import WriteProduct
 from helicoide.text import HelicoideError, Text
 
 _new = object.__new__
+PRINTED = Markup(
+    '<div style="font-size:1.1em">{sources}</div><div style="font-size:0.85em;opacity:0.75">{modern} · {algebra}</div>'
+)
 
 
 class Multivector:
@@ -164,6 +168,16 @@ class Multivector:
     def __repr__(self) -> str:
         """The sum, and the name of the algebra."""
         return f"{self} in {self._algebra}"
+
+    def _repr_latex_(self) -> str:
+        """The sum as a formula in a notebook, with the names of the sources."""
+        return f"${notation.multivector_latex(self._own, self._algebra)}$"
+
+    def _repr_html_(self) -> Markup:
+        """The sum in a notebook, in the colours of the grades: with the names of the sources, then with modern ones."""
+        sources = notation.multivector_html(self._own, self._algebra)
+        modern = notation.multivector_html(self._own, self._algebra, "compact")
+        return PRINTED.format(sources=sources, modern=modern, algebra=str(self._algebra))
 
     def _make(self, values: Array) -> Multivector:
         """A multivector of the same algebra that keeps the array without a copy: contiguous float64, not shared."""

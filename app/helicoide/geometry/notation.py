@@ -1,4 +1,4 @@
-"""Multivectors as text, LaTeX and MathML, with blades named as in the sources or in modern texts."""
+"""Multivectors as text, LaTeX, MathML and HTML, with blades named as in the sources or in modern texts."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from functools import cache
 from typing import Literal, NamedTuple
 
 from latex2mathml.converter import convert
+from markupsafe import Markup
 
 from helicoide.geometry.clifford import Algebra, Array
 
@@ -15,6 +16,8 @@ BladeNaming = Literal["factors", "compact"]
 """Names of blades: e1e2e as in the sources, or as in modern texts e12, with the null generator in front, e012."""
 
 DECIMALS = 3
+# By grade, as in static/helicoide.css; a scalar has the colour of the text around it.
+GRADE_COLOURS = ("inherit", "#1864ab", "#c2255c", "#237032", "#7048e8")
 # With three generators that are not null, bivectors are named in the order of the axes about which they rotate.
 CYCLIC: dict[BladeNaming, tuple[str, ...]] = {
     "factors": (
@@ -68,18 +71,46 @@ def multivector_mathml(values: Array, algebra: Algebra, naming: BladeNaming = "f
     return convert(multivector_latex(values, algebra, naming))
 
 
+def multivector_html(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> Markup:
+    """The same sum as HTML, each term in the colour of its grade. values: (2ⁿ,)."""
+    written = Markup("")
+    for name, coefficient in _coefficients(values, algebra, naming):
+        plus, minus = (" + ", " − ") if written else ("", "−")
+        written += minus if coefficient < 0 else plus
+        written += _coloured(name, _number(abs(coefficient)), int(algebra.grades[algebra.parse_blade(name)[0]]))
+    return written or Markup("0")
+
+
+def _coloured(name: str, number: str, grade: int) -> Markup:
+    """A term without its sign, in the colour of its grade."""
+    blade = Markup("").join(
+        Markup("<sub>{}</sub>").format(part) if k % 2 else part for k, part in enumerate(re.split(r"(\d+)", name))
+    )
+    said = number if name == "1" else blade if number == "1" else Markup("{} {}").format(number, blade)
+    return Markup('<span style="color:{}">{}</span>').format(GRADE_COLOURS[grade % len(GRADE_COLOURS)], said)
+
+
 def _indexed(name: str) -> str:
     return re.sub(r"e(\d+)", r"e_{\1}", name)
+
+
+def _coefficients(values: Array, algebra: Algebra, naming: BladeNaming) -> Iterator[tuple[str, float]]:
+    """The names of the blades and their coefficients, rounded, without those that are zero then."""
+    for name, place, sign in displayed_blades(algebra, naming):
+        coefficient = sign * round(float(values[place]), DECIMALS)
+        if coefficient != 0:
+            yield name, coefficient
+
+
+def _number(coefficient: float) -> str:
+    return f"{coefficient:.{DECIMALS}f}".rstrip("0").rstrip(".")
 
 
 def _terms(
     values: Array, algebra: Algebra, naming: BladeNaming, times: str, written: Callable[[str], str]
 ) -> Iterator[str]:
-    for name, place, sign in displayed_blades(algebra, naming):
-        coefficient = sign * round(float(values[place]), DECIMALS)
-        number = f"{coefficient:.{DECIMALS}f}".rstrip("0").rstrip(".")
-        if coefficient == 0:
-            continue
+    for name, coefficient in _coefficients(values, algebra, naming):
+        number = _number(coefficient)
         if name == "1":
             yield number
         elif abs(coefficient) == 1:

@@ -53,9 +53,9 @@ class Arms:
     def go_to(self, robot_name: str, q: Sequence[float]) -> None:
         """Bring a robot to joint values q, rad or m. Another robot is loaded first."""
         if self.workcell.state.robot.name == robot_name:
-            self.workcell.ask(gate.go_to_joints(q))
+            self.workcell.ask(gate.set_joints(q))
         else:
-            self.change(robot_name, then=gate.go_to_joints(q))
+            self.change(robot_name, then=gate.set_joints(q))
 
     def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
         """Load another robot into the workcell, and then apply an update to it.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -24,6 +25,8 @@ FRAME, WORDS = 0.016, 0.2
 MOVES = 0.05  # s between two frames if the arm is at rest and a layer moves by itself
 # Pauses after drawing and after writing, as multiples of the time that these took.
 SPARE, SPARE_WORDS = 0.3, 3.0
+# s: the length of the clip of the last seconds, and the time between its frames
+CLIP_SECONDS, CLIP_STEP = 12.0, 0.04
 
 Supply = Callable[[View], None]
 log = logging.getLogger("helicoide")
@@ -53,6 +56,7 @@ class Display:
         self.windows: list[Window] = []
         self._entering: set[Window] = set()
         self.frames = 0
+        self.recent: deque[State] = deque()  # the states that were drawn in the last seconds, for a clip
         self.news = asyncio.Event()  # set when rows may be out of date
         self._moved = asyncio.Event()  # set when the scene may be out of date
         self._putting_up = asyncio.Lock()
@@ -127,6 +131,7 @@ class Display:
         """Draw the shared scene, then the layers of each window, unless that has another robot by now."""
         self._drawn = state.robot, state
         self.frames += 1
+        self._remember(state)
         assert self._scene is not None
         with self.audience.atomic():
             self._scene.update(View(state, NOBODY))
@@ -138,6 +143,16 @@ class Display:
                     asyncio.get_running_loop().call_later(MOVES, self._moved.set)
             window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
+
+    def _remember(self, state: State) -> None:
+        """Keep a state for a clip; those of another robot, or of a time that did not lead here, are dropped."""
+        recent = self.recent
+        if recent and (recent[-1].robot is not state.robot or recent[-1].t > state.t):
+            recent.clear()
+        if not recent or state.t - recent[-1].t >= CLIP_STEP:
+            recent.append(state)
+        while state.t - recent[0].t > CLIP_SECONDS:
+            recent.popleft()
 
     async def _up_to_date(self) -> State:
         """Build the scene and fill the windows for the current robot, if another one is drawn; returns the state."""

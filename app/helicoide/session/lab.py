@@ -16,6 +16,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
 from helicoide.session.display import Display, Supply
+from helicoide.session.exporting import Exporting
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.seats import Place, Seats
@@ -25,6 +26,7 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, introduce
+from helicoide.view.file_requests import SaveClip, SaveNotebook, SavePicture
 from helicoide.view.link import (
     HelicoideFence,
     HelicoideFirstLesson,
@@ -76,9 +78,9 @@ class Lab:
         self._judged = 0.0
         self._untidy = 0
 
-    def open(self, host: str, port: int, origins: Collection[str] = ()) -> int:
-        """Serve the page; returns the port. Raises HelicoideError if the port is not available."""
-        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins)
+    def open(self, host: str, port: int, origins: Collection[str] = (), framed: bool = False) -> int:
+        """Serve the page; returns the port. Arguments and errors as in `serve`."""
+        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins, framed)
         self.loop = self.server.get_event_loop()
         self.loop.call_soon_threadsafe(self._begin)
         return int(self.server.get_port())
@@ -96,7 +98,8 @@ class Lab:
         self.server.stop()
 
     def _begin(self) -> None:
-        light_scene(self.server)
+        light_scene(self.server.scene)
+        self.exporting = Exporting(self.server)
         connection_of(self.server, self._on_message)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
@@ -259,8 +262,8 @@ class Lab:
                 self._take_link(visitor, own)
             case rows.CloseLink():
                 visitor.close_link()
-            case rows.Save(name, content):
-                visitor.window.client.send_file_download(name, content)
+            case rows.Save() | SaveNotebook() | SaveClip() | SavePicture():
+                self.exporting.begin(visitor, request)
             case request if isinstance(request, rows.RecordingRequest):
                 self.recording.do(visitor, request)
             case _:

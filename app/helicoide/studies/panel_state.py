@@ -9,7 +9,7 @@ from typing import Any
 
 from helicoide import studies
 from helicoide.ik.method import changed
-from helicoide.studies.study import Result
+from helicoide.studies.study import Motion, Result
 from helicoide.text import Text
 
 NO_OPTIONS: Mapping[str, Any] = MappingProxyType({})
@@ -52,6 +52,11 @@ class StudyPanelState:
         """The runs of the selected study to show: the last, and the previous one if they are compared."""
         runs = (self.last, self.previous) if self.compares_previous else (self.last,)
         return tuple(run for run in runs if run is not None and run.study == self.study)
+
+    @property
+    def motions(self) -> tuple[Motion, ...]:
+        """The motions of the last run of the selected study."""
+        return self.shown_runs[0].result.motions if self.shown_runs else ()
 
 
 StudyPanelUpdate = Callable[[StudyPanelState], StudyPanelState]

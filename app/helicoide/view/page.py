@@ -17,7 +17,9 @@ from markupsafe import Markup
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
-from helicoide.export import errata
+from helicoide import content
+from helicoide.export.errata import text_page
+from helicoide.export.notebook import notebook_of_page
 from helicoide.text import LANGUAGES, Language, Text
 
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
@@ -88,10 +90,14 @@ POLICY = "; ".join(
     )
 )
 
+# Pages that may show the lab in a frame: notebooks on this computer.
+NOTEBOOKS = "frame-ancestors http://127.0.0.1:* http://localhost:*"
+
 # Fixed here, because the tables of operating systems differ.
 TYPES = {
     ".css": "text/css; charset=utf-8",
     ".html": "text/html; charset=utf-8",
+    ".ipynb": "application/x-ipynb+json",
     ".js": "text/javascript; charset=utf-8",
     ".svg": "image/svg+xml",
     ".txt": "text/plain; charset=utf-8",
@@ -99,10 +105,20 @@ TYPES = {
 }
 
 
-def site(static: Path) -> Callable[[Request], Response]:
-    """The answer to any GET. Files are found in a table made at the start, so no path leads out of the folder."""
+def site(static: Path, framed: bool = False) -> Callable[[Request], Response]:
+    """The answer to any GET. Files are found in a table made at the start, so no path leads out of the folder.
+
+    framed: whether notebooks on this computer may show the lab in a frame.
+    """
+    policy = POLICY.replace("frame-ancestors 'none'", NOTEBOOKS) if framed else POLICY
+    of_page = {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip", "Content-Security-Policy": policy}
     page = gzip.compress(_page().encode())
-    pages = {f"/pages/{language}/sources": _long(language) for language in LANGUAGES}
+    pages = {
+        f"/pages/{language}/{file.stem}": _long(file.stem, language)
+        for language in LANGUAGES
+        for file in (content.STATIC / "pages" / language).glob("*.md")
+    }
+    notebooks = {f"/pages/{language}/notebook.ipynb": notebook_of_page(language) for language in LANGUAGES}
     files = {f"/static/{file.relative_to(static).as_posix()}": file for file in static.rglob("*") if file.is_file()}
 
     def answer(request: Request) -> Response:
@@ -113,9 +129,13 @@ def site(static: Path) -> Callable[[Request], Response]:
             # such a link would connect our page to another server
             return reply(HTTPStatus.FOUND, headers={"Location": "./"})
         if path == "/":
-            return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
+            return reply(HTTPStatus.OK, page, of_page)
         if body := pages.get(path):
             return reply(HTTPStatus.OK, body, {"Content-Type": TYPES[".html"]})
+        if notebook := notebooks.get(path):
+            return reply(
+                HTTPStatus.OK, notebook, {"Content-Type": TYPES[".ipynb"], "Content-Disposition": "attachment"}
+            )
         if file := files.get(unquote(path)):
             return _file(file, request)
         return reply(HTTPStatus.NOT_FOUND, b"not found")
@@ -145,8 +165,8 @@ def _file(file: Path, request: Request) -> Response:
     return reply(HTTPStatus.OK, body, headers)
 
 
-def _long(language: Language) -> bytes:
-    return LONG.format(language=language.replace("_", "-"), body=errata.sources_page(language)).encode()
+def _long(name: str, language: Language) -> bytes:
+    return LONG.format(language=language.replace("_", "-"), body=text_page(name, language)).encode()
 
 
 def _page() -> str:

@@ -19,6 +19,7 @@ from helicoide.state import State, Update
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelUpdate
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
+from helicoide.view.file_requests import FileRequest
 
 CameraPreset = Literal["front", "side", "top", "tool", "first"]
 Key = TypeVar("Key", bound=Hashable)
@@ -265,6 +266,7 @@ PageRequest = (
     | CopyLink
     | ShowTab
     | Save
+    | FileRequest
 )
 Act = Callable[[PageRequest], None]
 """Sends a request."""

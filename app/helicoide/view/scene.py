@@ -36,10 +36,10 @@ def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
     return centre + size * FROM_THE_SIDE, centre
 
 
-def light_scene(server: viser.ViserServer) -> None:
+def light_scene(scene: viser.SceneApi) -> None:
     """Set the up direction and the lights, the same for every workcell."""
-    server.scene.set_up_direction("+z")
-    server.scene.configure_default_lights(cast_shadow=False)  # without a GPU, shadows cost two of three frames
+    scene.set_up_direction("+z")
+    scene.configure_default_lights(cast_shadow=False)  # without a GPU, shadows cost two of three frames
 
 
 class Scene:

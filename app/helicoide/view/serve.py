@@ -71,11 +71,17 @@ UNGUARDED = Text(
 
 
 def serve(
-    host: str, port: int, static: Path, channels: Mapping[str, Channel], origins: Collection[str] = ()
+    host: str,
+    port: int,
+    static: Path,
+    channels: Mapping[str, Channel],
+    origins: Collection[str] = (),
+    framed: bool = False,
 ) -> viser.ViserServer:
     """Open viser on exactly this port (0: any free one), with our page, the static files and the channels by path.
 
-    origins: further addresses under which the page is opened, such as that of a proxy.
+    origins: further addresses under which the page is opened, such as that of a proxy; framed: whether notebooks on
+    this computer may show the page in a frame.
     Raises HelicoideError if the port is not available, if an origin is not valid, or if viser serves in a way that our
     checks do not cover.
     """
@@ -84,7 +90,10 @@ def serve(
     listener = _listen(host, port)
     address, port = listener.getsockname()
     banner = io.StringIO()  # viser prints a banner even if not verbose
-    with _guarded(listener, _door(port, site(static), channels, known), channels), contextlib.redirect_stdout(banner):
+    with (
+        _guarded(listener, _door(port, site(static, framed), channels, known), channels),
+        contextlib.redirect_stdout(banner),
+    ):
         server = viser.ViserServer(host=host, port=port, verbose=False)
     if not _refuses_foreign_pages(address, server.get_port()):
         server.stop()

@@ -27,10 +27,11 @@ from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
 from helicoide.studies import panel_state
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
-from helicoide.studies.study import Chart, ChartLine, Motion, Verdict
+from helicoide.studies.study import Chart, ChartLine, Verdict
 from helicoide.studies.study import Row as Quantity
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
+from helicoide.view.export_rows import export_rows
 from helicoide.view.rows import (
     Bar,
     Button,
@@ -99,7 +100,7 @@ def rows(robot: Robot) -> list[Row]:
         *(Plot(shown_charts, index) for index in range(MOST_CHARTS)),
         Folder(
             Text(en="Play on the arm", pt_BR="Reproduzir no braço"),
-            DependentRows(lambda view: tuple(motion.title for motion in _motions(view)), _players),
+            DependentRows(lambda view: tuple(motion.title for motion in view.study_panel.motions), _players),
         ),
         Checkbox(
             Text(en="Compare with previous run", pt_BR="Comparar com a execução anterior"),
@@ -107,6 +108,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda on: ForStudyPanel(lambda panel: replace(panel, compares_previous=bool(on))),
         ),
         HtmlRow(_table),
+        export_rows(),
     ]
 
 
@@ -155,10 +157,6 @@ def _settings(name: str) -> Sequence[Row]:
     )
 
 
-def _motions(view: View) -> tuple[Motion, ...]:
-    return view.study_panel.shown_runs[0].result.motions if view.study_panel.shown_runs else ()
-
-
 def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
     """A button for each motion of the run."""
     if not titles:
@@ -167,7 +165,7 @@ def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
 
 
 def _player(index: int, title: Text) -> Button:
-    return Button(lambda _: title, lambda view: Play(_motions(view)[index]), Icon.PLAYER_PLAY)
+    return Button(lambda _: title, lambda view: Play(view.study_panel.motions[index]), Icon.PLAYER_PLAY)
 
 
 NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não tem movimento para reproduzir.")

@@ -1,0 +1,106 @@
+"""Files of what a window shows, made in threads: a notebook, a clip or a picture."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from dataclasses import replace
+from math import ceil
+from typing import assert_never
+
+import numpy as np
+
+from helicoide.export.scene_notebook import scene_notebook
+from helicoide.kinematics.library import load_robot
+from helicoide.session.display import CLIP_STEP
+from helicoide.session.visitor import Visitor
+from helicoide.session.workcell import FAILED
+from helicoide.state import State, initial_state, with_joints
+from helicoide.studies.study import Motion
+from helicoide.text import HelicoideError, Text
+from helicoide.view.audience import Server
+from helicoide.view.clip import clip_html
+from helicoide.view.file_requests import FileRequest, SaveClip, SaveNotebook, SavePicture
+from helicoide.view.picture import scene_picture
+from helicoide.view.rows import Save
+from helicoide.view.scene import outlook
+
+MOST_FRAMES = 1500
+NOTEBOOK, CLIP, PICTURE = "helicoide.ipynb", "helicoide.html", "helicoide.png"
+MAKING = Text(en="Making the file…", pt_BR="Preparando o arquivo…")
+BUSY = Text(en="The last file is not finished yet.", pt_BR="O arquivo anterior ainda não ficou pronto.")
+UNDRAWN = Text(
+    en="The page did not draw the picture: bring its tab to the front and try again.",
+    pt_BR="A página não desenhou a imagem: traga a aba para a frente e tente de novo.",
+)
+log = logging.getLogger("helicoide")
+
+
+class Exporting:
+    """Makes one file at a time for each window, and one clip at a time for all. Use it only on the event loop."""
+
+    def __init__(self, server: Server) -> None:
+        self.server = server
+        self._clips = asyncio.Lock()
+        self._tasks: dict[Visitor, asyncio.Task[None]] = {}
+
+    def begin(self, visitor: Visitor, request: Save | FileRequest) -> None:
+        """Make a file, unless it is made already, and have the page of the visitor download it."""
+        if isinstance(request, Save):
+            visitor.window.client.send_file_download(request.name, request.content)
+        elif visitor in self._tasks:
+            visitor.window.tell(BUSY)
+        else:
+            task = self._tasks[visitor] = asyncio.get_running_loop().create_task(self._export(visitor, request))
+            task.add_done_callback(lambda _: self._tasks.pop(visitor))
+
+    async def _export(self, visitor: Visitor, request: FileRequest) -> None:
+        try:
+            name, content = await self._made(visitor, request)
+        except HelicoideError as refusal:
+            visitor.window.tell(refusal.text)
+        except TimeoutError:
+            visitor.window.tell(UNDRAWN)
+        except Exception:
+            if not visitor.window.gone:
+                log.exception("a file could not be made")
+                visitor.window.tell(FAILED)
+        else:
+            visitor.window.client.send_file_download(name, content)
+
+    async def _made(self, visitor: Visitor, request: FileRequest) -> tuple[str, bytes]:
+        """The name and the content of the file."""
+        state, seat = visitor.bay.workcell.state, visitor.place.seat
+        match request:
+            case SaveNotebook():
+                return NOTEBOOK, await asyncio.to_thread(scene_notebook, state, seat.language)
+            case SavePicture(size):
+                return PICTURE, await asyncio.to_thread(scene_picture, visitor.window.client, size)
+            case SaveClip(motion):
+                visitor.window.tell(MAKING)
+                async with self._clips:
+                    return CLIP, await asyncio.to_thread(self._clip, visitor, state, motion)
+            case _:
+                assert_never(request)
+
+    def _clip(self, visitor: Visitor, state: State, motion: Motion | None) -> bytes:
+        """A clip of a motion, or of the last seconds of the arm that a visitor sees; its present state is the last."""
+        camera, display = visitor.window.client.camera, visitor.bay.display
+        if motion is None:
+            recent = () if display is None else tuple(display.recent)
+            states = [*(one for one in recent if one.robot is state.robot and one.t < state.t), state]
+        else:
+            states = motion_states(motion)
+        sees = states[0].robot is state.robot
+        view = (camera.position, camera.look_at) if sees else outlook(states[0].robot)
+        return clip_html(self.server, states, visitor.place.seat, view)
+
+
+def motion_states(motion: Motion) -> list[State]:
+    """A motion as states of its own robot, at most `MOST_FRAMES`, evenly spaced in time; its first time becomes 0."""
+    state = initial_state(load_robot(motion.robot, None, motion.parameters))
+    times = motion.times - motion.times[0]
+    count = min(MOST_FRAMES, ceil(times[-1] / CLIP_STEP) + 1)
+    at = np.linspace(0.0, times[-1], count)
+    q = np.column_stack([np.interp(at, times, values) for values in motion.q.T])
+    return [replace(with_joints(state, row), t=float(t)) for t, row in zip(at, q, strict=True)]

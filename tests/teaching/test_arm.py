@@ -10,6 +10,7 @@ from tests.kinematics.arms import MIXED, NAMES
 
 import helicoide
 from helicoide import readout
+from helicoide.geometry import rigid
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.library import load_robot
 from helicoide.state import initial_state
@@ -70,8 +71,10 @@ def test_a_position_alone_and_a_pose_out_of_reach(movemaster: TeachingArm) -> No
 
 def test_the_numbers_are_those_of_the_lab(movemaster: TeachingArm) -> None:
     state, here = initial_state(load_robot("movemaster")), movemaster.at("ready")
-    for reading in readout.readings(state):
-        np.testing.assert_array_equal(here.multivectors[reading.key].values, reading.at(state))
+    np.testing.assert_array_equal(here.motor.values, rigid.canonical(rigid.motor_from_pose(state.T_world_tool)))
+    for i, axis in enumerate(state.axes):
+        line = rigid.line(axis, state.arm.poses[i + 1, :3, 3])
+        np.testing.assert_array_equal(here.multivectors[f"L{i + 1}"].values, line)
     assert here.instruments == {one.symbol: one.value for one in readout.instruments(state)}
     np.testing.assert_array_equal(here.distances, readout.plane_distances(state))
     np.testing.assert_allclose(here.quaternion @ here.quaternion, 1.0)
@@ -79,7 +82,8 @@ def test_the_numbers_are_those_of_the_lab(movemaster: TeachingArm) -> None:
 
 def test_planes_of_ones_own_and_a_target(movemaster: TeachingArm) -> None:
     here = movemaster.at("ready", {"roof": helicoide.plane((0, 0, -2), -0.8)})
-    expected = [helicoide.distance(here.multivectors["plane 0"], here.multivectors[f"point {k}"]) for k in range(5)]
+    points = [helicoide.point(*point) for point in here.state.monitored_points]
+    expected = [helicoide.distance(here.multivectors["roof"], point) for point in points]
     np.testing.assert_allclose(here.distances[:, 0], expected, atol=1e-12)
     there = here.towards(helicoide.translator((0, 0, 0.05)) * here.motor, "damped", {"damping": 0.2})
     assert there.instruments["e_p"] == pytest.approx(50.0)

@@ -13,6 +13,7 @@ from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.command import MoveToPose
 from helicoide.confinement.planes import Plane, pane_on_plane, planes_of
+from helicoide.console.scene_names import scene_names
 from helicoide.geometry import rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
@@ -62,7 +63,7 @@ class ArmAtPosture:
     @property
     def motor(self) -> Multivector:
         """The pose of the end effector as a motor of Cl(0,3,1)."""
-        return self.multivectors["tool"]
+        return self.multivectors["M_tool"]
 
     @property
     def quaternion(self) -> Array:
@@ -71,8 +72,9 @@ class ArmAtPosture:
 
     @property
     def multivectors(self) -> dict[str, Multivector]:
-        """What the tab “Algebra” of the lab lists: "tool", "joint 0", …, "plane 0", …, "point 0", …"""
-        return {one.key: Multivector(one.at(self.state), CL031) for one in readout.readings(self.state)}
+        """The multivectors of Cl(0,3,1) that the console of the lab knows, by their names there: M_tool, L1, …"""
+        values = {name: named.at(self.state) for name, named in scene_names(self.state).items()}
+        return {name: M for name, M in values.items() if isinstance(M, Multivector) and M.algebra == CL031}
 
     @property
     def J(self) -> Array:

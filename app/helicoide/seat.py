@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from helicoide.kinematics.stages import StageKind as Stages
 from helicoide.kinematics.workspace import MapKind
+from helicoide.sheet import Sheet
 from helicoide.text import Language
 
 
@@ -19,7 +20,7 @@ class Seat:
     while no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of
     the reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
     files, "" to detect it; projector: whether text and handles are large; way: how the next waypoint is reached from
-    the one before.
+    the one before; sheet: the lines of the console.
     """
 
     token: str
@@ -37,6 +38,7 @@ class Seat:
     cloud_unit: str = ""
     projector: bool = False
     move_type: str = "joints"
+    sheet: Sheet = field(default=Sheet())
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

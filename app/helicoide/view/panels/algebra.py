@@ -15,6 +15,7 @@ from helicoide.readout import Reading
 from helicoide.state import State
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
+from helicoide.view.console_rows import console_rows
 from helicoide.view.formula import coefficient_grid, formula_html
 from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, Row, View
 from helicoide.view.stage_rows import stage_rows
@@ -57,6 +58,7 @@ def rows(robot: Robot) -> list[Row]:
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
+        console_rows(),
         stage_rows(),
     ]
 

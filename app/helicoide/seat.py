@@ -14,6 +14,7 @@ from helicoide.geometry import rotation
 from helicoide.geometry.notation import BladeNaming
 from helicoide.kinematics.stages import StageKind as Stages
 from helicoide.kinematics.workspace import MapKind
+from helicoide.sheet import Sheet
 from helicoide.text import Language
 
 SMALLEST_AXIS = 1e-9  # length below which three numbers give no direction
@@ -111,7 +112,7 @@ class Seat:
     dark: whether the page is dark; transparent: whether the arm is; linked: the posture of a link that was opened;
     move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
     effector that a layer balances; charts: what the charts show;
-    picture: the chosen size of pictures, a key of `export_rows.PICTURES`.
+    picture: the chosen size of pictures, a key of `export_rows.PICTURES`; sheet: the lines of the console.
     """
 
     token: str
@@ -139,6 +140,7 @@ class Seat:
     move_type: str = "joints"
     charts: ChartChoice = ChartChoice()
     picture: str = "page"
+    sheet: Sheet = field(default=Sheet())
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

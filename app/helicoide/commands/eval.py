@@ -11,7 +11,7 @@ import tyro
 
 from helicoide.arrays import frozen
 from helicoide.commands import language, print_remarks
-from helicoide.console import LineResult, Value, kind_of, pointer, sheet_results, value_terms, value_text
+from helicoide.console import LineResult, Value, kind_of, pointer, sheet_results, value_latex, value_terms, value_text
 from helicoide.geometry.multivector import Multivector
 from helicoide.kernels import run_interpreted
 from helicoide.kinematics.forward import link_poses
@@ -92,4 +92,5 @@ def _as_json(result: LineResult) -> dict[str, object] | None:
         "algebra": str(value.algebra) if isinstance(value, Multivector) else None,
         "values": {unit: number for number, unit in value_terms(value)},
         "text": value_text(value),
+        "latex": value_latex(value),
     }

@@ -11,7 +11,7 @@ from helicoide.console.examples import ExampleSheet, example_sheets
 from helicoide.console.functions import all_functions
 from helicoide.console.kinds import Kind, kind_of
 from helicoide.console.names import free_names
-from helicoide.console.notation_of_values import value_latex, value_terms, value_text
+from helicoide.console.notation_of_values import unit_grade, unit_latex, value_latex, value_terms, value_text
 from helicoide.console.results import LineResult, sheet_results
 from helicoide.console.scene_names import SceneName, scene_names
 from helicoide.console.values import Value
@@ -30,6 +30,8 @@ __all__ = [
     "pointer",
     "scene_names",
     "sheet_results",
+    "unit_grade",
+    "unit_latex",
     "value_latex",
     "value_terms",
     "value_text",

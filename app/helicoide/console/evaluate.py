@@ -12,7 +12,7 @@ from helicoide.console.functions import all_functions
 from helicoide.console.names import is_reserved, reserved_value
 from helicoide.console.operators import binary, repetitions, unary
 from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, Span
-from helicoide.console.values import Value, checked
+from helicoide.console.values import Value, finite_value
 from helicoide.text import HelicoideError, Text, untranslated
 
 MOST_WORK = 1000  # a unit is a product of two multivectors, about 20 µs at most
@@ -69,9 +69,9 @@ def evaluate(part: Expression, scope: Scope) -> Value:
     """The value of an expression, all of its numbers finite. Raises ExpressionError at the part that fails."""
     match part:
         case Literal(value, place):
-            return _at(place, lambda: checked(value))
+            return _at(place, lambda: finite_value(value))
         case Reference(name, place):
-            return _at(place, lambda: checked(scope.value_of(name)))
+            return _at(place, lambda: finite_value(scope.value_of(name)))
         case Operation(symbol, operands, place):
             values = tuple(evaluate(operand, scope) for operand in operands)
             return _at(place, lambda: _operation(symbol, values, scope.budget))
@@ -91,7 +91,7 @@ def _at(place: Span, compute: Callable[[], Value]) -> Value:
 
 def _operation(symbol: str, operands: tuple[Value, ...], budget: Budget) -> Value:
     budget.spend(repetitions(symbol, operands))
-    return checked(unary(symbol, *operands) if len(operands) == 1 else binary(symbol, *operands))
+    return finite_value(unary(symbol, *operands) if len(operands) == 1 else binary(symbol, *operands))
 
 
 def _call(name: str, arguments: tuple[Value, ...], budget: Budget) -> Value:
@@ -100,4 +100,4 @@ def _call(name: str, arguments: tuple[Value, ...], budget: Budget) -> Value:
         close = similar(name, all_functions())
         raise HelicoideError(NO_FUNCTION.format(name=untranslated(name), similar=close))
     budget.spend(function.work * max(1, len(arguments) - 1))
-    return checked(function(arguments))
+    return finite_value(function(arguments))

@@ -17,9 +17,9 @@ from helicoide.console.syntax import (
     FunctionCall,
     Literal,
     Operation,
+    ParsedLine,
     Reference,
     Span,
-    Statement,
     depth_over,
 )
 from helicoide.sheet import LONGEST_LINE, too_long_text
@@ -84,12 +84,12 @@ PLAIN = {
 
 
 @lru_cache(maxsize=256)
-def parse_line(text: str) -> Statement | None:
+def parse_line(text: str) -> ParsedLine | None:
     """The parts of a line; None if it holds a comment at most. Raises ExpressionError."""
     if len(text) > LONGEST_LINE:
         raise ExpressionError(too_long_text(), LONGEST_LINE, LONGEST_LINE)
     statement: Any = _parser().parse(text, on_error=_refuse)  # the transformer has made it of the tree
-    return statement if isinstance(statement, Statement) else None
+    return statement if isinstance(statement, ParsedLine) else None
 
 
 @cache
@@ -98,17 +98,17 @@ def _parser() -> Lark:
 
 
 @v_args(inline=True)
-class _Build(Transformer[Token, Statement | None]):
+class _Build(Transformer[Token, ParsedLine | None]):
     """Makes the parts of a line from the rules of the grammar, from the inside to the outside."""
 
-    def start(self, statement: Statement | None = None) -> Statement | None:
+    def start(self, statement: ParsedLine | None = None) -> ParsedLine | None:
         return statement
 
-    def definition(self, name: Token, expression: Expression) -> Statement:
-        return Statement(self.reference(name), expression)
+    def definition(self, name: Token, expression: Expression) -> ParsedLine:
+        return ParsedLine(self.reference(name), expression)
 
-    def result(self, expression: Expression) -> Statement:
-        return Statement(None, expression)
+    def result(self, expression: Expression) -> ParsedLine:
+        return ParsedLine(None, expression)
 
     def literal(self, number: Token) -> Literal:
         return Literal(float(number), _place(number))

@@ -12,7 +12,7 @@ import numpy as np
 from helicoide.console.errors import ExpressionError
 from helicoide.console.functions import all_functions
 from helicoide.console.grammar import parse_line
-from helicoide.console.syntax import Statement, references
+from helicoide.console.syntax import ParsedLine, references
 from helicoide.console.values import Value, multivector_value, quaternion_value
 from helicoide.geometry.clifford import CL031
 from helicoide.sheet import Sheet
@@ -41,9 +41,9 @@ def reserved_value(name: str) -> Value | None:
     return CONSTANTS.get(name)
 
 
-def parsed_lines(sheet: Sheet) -> list[Statement | ExpressionError | None]:
+def parsed_lines(sheet: Sheet) -> list[ParsedLine | ExpressionError | None]:
     """Each line of a sheet, parsed: an error for one that cannot be read, None for a comment."""
-    found: list[Statement | ExpressionError | None] = []
+    found: list[ParsedLine | ExpressionError | None] = []
     for line in sheet.lines:
         try:
             found.append(parse_line(line.text))
@@ -54,7 +54,7 @@ def parsed_lines(sheet: Sheet) -> list[Statement | ExpressionError | None]:
 
 def free_names(sheet: Sheet, of_the_scene: Collection[str]) -> tuple[str, ...]:
     """The names of a sheet that nothing defines, in the order in which they occur: each gets a slider."""
-    statements = [line for line in parsed_lines(sheet) if isinstance(line, Statement)]
+    statements = [line for line in parsed_lines(sheet) if isinstance(line, ParsedLine)]
     defined = {line.target.name for line in statements if line.target is not None}
     used = dict.fromkeys(part.name for line in statements for part in references(line.expression))
     known = defined | set(of_the_scene)

@@ -58,8 +58,20 @@ def _written(number: float, unit: str, times: str, digits: int) -> str:
     return shown.replace("1", unit) if shown in ("1", "-1") else shown + times + unit
 
 
+def unit_latex(unit: str) -> str:
+    """A unit or blade in LaTeX, such as e_{1}e_{2}."""
+    return re.sub(r"(\d+)", r"_{\1}", unit)
+
+
+def unit_grade(unit: str) -> int:
+    """The grade of a blade; 0 for "1", 2 for i, j and k, which are bivectors."""
+    if unit in UNITS:
+        return 0 if unit == "1" else 2
+    return len(re.findall(r"\d|e(?!\d)", unit))
+
+
 def _in_latex(number: float, unit: str, comma: str) -> str:
-    blade = re.sub(r"(\d+)", r"_{\1}", unit)
+    blade = unit_latex(unit)
     mantissa, _, power = _number(number, DIGITS).partition("e")
     shown = mantissa.replace(".", comma) + (rf" \cdot 10^{{{int(power)}}}" if power else "")
     if unit == "1":

@@ -9,7 +9,7 @@ from helicoide.console.errors import ExpressionError
 from helicoide.console.evaluate import Budget, Scope, evaluate
 from helicoide.console.names import free_names, is_reserved, parsed_lines
 from helicoide.console.scene_names import scene_names
-from helicoide.console.syntax import Reference, Statement, references
+from helicoide.console.syntax import ParsedLine, Reference, references
 from helicoide.console.values import Value
 from helicoide.sheet import Sheet
 from helicoide.state import State
@@ -50,7 +50,7 @@ def sheet_results(sheet: Sheet, state: State | None, sliders: bool = True) -> tu
     return tuple(found)
 
 
-Parsed = Statement | ExpressionError | None
+Parsed = ParsedLine | ExpressionError | None
 
 
 def _result(line: Parsed, below: list[Parsed], next_number: int, scope: Scope) -> LineResult:
@@ -68,13 +68,13 @@ def _result(line: Parsed, below: list[Parsed], next_number: int, scope: Scope) -
         return LineResult(name, error=error)
 
 
-def _check_order(line: Statement, below: list[Parsed], next_number: int, scope: Scope) -> None:
+def _check_order(line: ParsedLine, below: list[Parsed], next_number: int, scope: Scope) -> None:
     """Raise ExpressionError for a name whose definition is the line itself, or one further down."""
     for part in references(line.expression):
         if part.name in scope.values or part.name in scope.scene:
             continue
         for n, other in enumerate(below, next_number):
-            if isinstance(other, Statement) and other.target is not None and other.target.name == part.name:
+            if isinstance(other, ParsedLine) and other.target is not None and other.target.name == part.name:
                 raise _error(part, FURTHER_DOWN.format(name=part.name, line=n))
 
 

@@ -63,7 +63,7 @@ Expression = Literal | Reference | Operation | FunctionCall
 
 
 @dataclass(frozen=True)
-class Statement:
+class ParsedLine:
     """A line: an expression, with the name that it defines, if any."""
 
     target: Reference | None

@@ -27,7 +27,7 @@ def multivector_value(coefficients: Array) -> Multivector:
     return Multivector(coefficients, CL031)
 
 
-def checked(value: Value) -> Value:
+def finite_value(value: Value) -> Value:
     """The value, if each of its numbers is finite; raises HelicoideError otherwise."""
     numbers = value.values.tolist() if isinstance(value, Multivector) else [value]
     if not all(map(isfinite, numbers)):

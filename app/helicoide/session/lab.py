@@ -252,7 +252,10 @@ class Lab:
     def _act(self, visitor: Visitor, request: PageRequest) -> None:
         match request:
             case rows.ForSeat(update):
-                visitor.reseat(update)
+                try:
+                    visitor.reseat(update)
+                except HelicoideError as refusal:
+                    visitor.window.tell(refusal.text)
                 self._news()
             case rows.ForStudyPanel(update):
                 self.studies.change(visitor.place, update)

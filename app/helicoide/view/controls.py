@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
+from functools import partial
 from time import monotonic
 from typing import Any, Literal
 
@@ -204,12 +205,26 @@ class EntryControl:
         self.said = row.shown(view)
         self.text: Any = gui.add_text(row.label[language], self.said)
         self.button = gui.add_button(row.button[language], color=COLOURS["plain"])
-        bind.on_press(self.button, lambda: ask(lambda: row.request(self.text.value)))
+        self.touched = 0.0
+
+        def pressed() -> PageRequest:
+            given, self.touched = self.text.value, 0.0
+            if row.typed is not None:  # at once: the user may type on before the row is next updated
+                self.said = self.text.value = ""
+            return row.request(given)
+
+        bind.on_press(self.button, lambda: ask(pressed))
+        if row.typed is not None:
+            bind.on_value(self.text, partial(self._type, row.typed, ask))
+
+    def _type(self, typed: Callable[[str], PageRequest], ask: Ask, text: str) -> None:
+        self.touched, self.said = monotonic(), text
+        ask(lambda: typed(text))
 
     def refresh(self, view: View) -> None:
         """Update the text, but only if the view's own text has changed; otherwise what was typed stays."""
         said = self.row.shown(view)
-        if said != self.said:
+        if said != self.said and monotonic() - self.touched > UNTOUCHED:
             self.said = self.text.value = said
 
     def remove(self) -> None:

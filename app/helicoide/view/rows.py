@@ -355,12 +355,16 @@ class VectorRow:
 
 @dataclass(frozen=True)
 class TextEntry:
-    """A text field, and a button that sends its content."""
+    """A text field, and a button that sends its content.
+
+    typed: the request that each change of the text makes; such a field is emptied when its content is sent.
+    """
 
     label: Text
     shown: Callable[[View], str]
     button: Text
     request: Callable[[str], PageRequest]
+    typed: Callable[[str], PageRequest] | None = None
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from helicoide.state import State
 from helicoide.text import Text, number_text
 from helicoide.view import html
 from helicoide.view.code_rows import code_rows
+from helicoide.view.console_rows import console_rows
 from helicoide.view.formula import ZERO, blade_words, coefficient, coefficient_grid, formula_html, general_formula
 from helicoide.view.inspector_rows import highlight_row, inspected, inspector_rows, shown
 from helicoide.view.notation_rows import notation_rows
@@ -71,6 +72,7 @@ def rows(robot: Robot) -> list[Row]:
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
+        console_rows(),
         stage_rows(),
     ]
 

@@ -1,4 +1,4 @@
-"""A sheet of the console: lines of text, and the values of the names that have a slider; as text and as a link."""
+"""A sheet as text, as the content of a file, and as a link; and back."""
 
 from __future__ import annotations
 
@@ -7,20 +7,14 @@ import math
 import re
 import zlib
 from base64 import urlsafe_b64decode, urlsafe_b64encode
-from dataclasses import dataclass, replace
 
+from helicoide.sheet.parts import MOST_CHARACTERS, NameSlider, Sheet, SheetLine, too_long_text
 from helicoide.text import HelicoideError, Text
 
-MOST_CHARACTERS, MOST_LINES, LONGEST_LINE = 4_000, 60, 400
 LARGEST = 1e6  # of the value and the ends of a slider
 HIDDEN, LINK = "hidden ", "sheet="
 _SLIDER = re.compile(r"slider ([A-Za-z][A-Za-z0-9_]*) = (\S+) from (\S+) to (\S+)")
 
-TOO_LONG = Text(
-    en="The sheet is too long: it may have {lines} lines, {line} characters in a line, and {most} characters in all.",
-    pt_BR="A folha é longa demais: ela pode ter {lines} linhas, {line} caracteres por linha e {most} caracteres no "
-    "total.",
-)
 BROKEN_LINK = Text(
     en="This is no link of a sheet, or it has lost a part: copy the whole text, which begins with {begins}.",
     pt_BR="Isto não é um link de folha, ou uma parte se perdeu: copie o texto inteiro, que começa com {begins}.",
@@ -35,51 +29,6 @@ NO_SLIDER = Text(
     pt_BR="linha {n}: um controle deslizante se escreve como em “slider theta = 0.5 from 0 to 3”, com números até "
     "{most:.0f} e o valor entre os extremos",
 )
-
-
-@dataclass(frozen=True)
-class SheetLine:
-    """One line as it was typed. shown: whether its result is drawn in the scene."""
-
-    text: str
-    shown: bool = True
-
-
-@dataclass(frozen=True)
-class NameSlider:
-    """The value of a name that no line defines, and the ends of its slider."""
-
-    value: float = 1.0
-    lower: float = -10.0
-    upper: float = 10.0
-
-
-@dataclass(frozen=True)
-class Sheet:
-    """Lines that are evaluated from top to bottom, and sliders by name. Raises HelicoideError if it is too long."""
-
-    lines: tuple[SheetLine, ...] = ()
-    sliders: tuple[tuple[str, NameSlider], ...] = ()
-
-    def __post_init__(self) -> None:
-        """Check the length; every sheet from outside is made here."""
-        texts = [line.text for line in self.lines]
-        too_long = len(texts) > MOST_LINES or len(self.sliders) > MOST_LINES or sum(map(len, texts)) > MOST_CHARACTERS
-        if too_long or any(len(text) > LONGEST_LINE for text in texts):
-            raise HelicoideError(too_long_text())
-
-    def slider(self, name: str) -> NameSlider:
-        """The slider of a name; the usual one if it was never moved."""
-        return dict(self.sliders).get(name, NameSlider())
-
-    def with_slider(self, name: str, slider: NameSlider) -> Sheet:
-        """The sheet with one slider changed, or added."""
-        return replace(self, sliders=tuple({**dict(self.sliders), name: slider}.items()))
-
-
-def too_long_text() -> Text:
-    """Why a sheet or a line is refused for its length."""
-    return TOO_LONG.format(lines=MOST_LINES, line=LONGEST_LINE, most=MOST_CHARACTERS)
 
 
 def sheet_text(sheet: Sheet) -> str:

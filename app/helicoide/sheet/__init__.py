@@ -1,0 +1,36 @@
+"""Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
+
+from helicoide.sheet.editing import entered, with_choice, with_entry_text, with_shown, without_line
+from helicoide.sheet.parts import (
+    LONGEST_LINE,
+    MOST_CHARACTERS,
+    MOST_LINES,
+    LineEntry,
+    NameSlider,
+    Sheet,
+    SheetLine,
+    too_long_text,
+)
+from helicoide.sheet.writing import LINK, sheet_link, sheet_of_file, sheet_of_link, sheet_of_text, sheet_text
+
+__all__ = [
+    "LINK",
+    "LONGEST_LINE",
+    "MOST_CHARACTERS",
+    "MOST_LINES",
+    "LineEntry",
+    "NameSlider",
+    "Sheet",
+    "SheetLine",
+    "entered",
+    "sheet_link",
+    "sheet_of_file",
+    "sheet_of_link",
+    "sheet_of_text",
+    "sheet_text",
+    "too_long_text",
+    "with_choice",
+    "with_entry_text",
+    "with_shown",
+    "without_line",
+]

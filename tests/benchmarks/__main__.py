@@ -8,7 +8,20 @@ from __future__ import annotations
 import importlib
 import sys
 
-NAMES = ("latency", "tick", "startup", "idle", "load", "kinematics", "algebra", "ik", "step", "planes", "corpus")
+NAMES = (
+    "latency",
+    "tick",
+    "startup",
+    "idle",
+    "load",
+    "kinematics",
+    "algebra",
+    "ik",
+    "step",
+    "planes",
+    "charts",
+    "corpus",
+)
 
 
 def main() -> None:

@@ -18,4 +18,4 @@ ICON = Icon.CHART_LINE
 
 def rows(robot: Robot) -> list[Row]:
     """The panel; it is the same for all robots."""
-    return [signal_rows(), loop_rows(), matrix_rows()]
+    return [*signal_rows(), loop_rows(), matrix_rows()]

@@ -17,6 +17,7 @@ GLOSSARY = (PACKAGE.parents[1] / "CONTRIBUTING.md").read_text("utf-8").partition
 CONTRACT = {
     "Options", "Memory", "applies", "build", "cost", "find", "gradient", "rows", "run", "start", "step", "names",
     "named", "faults", "product", "sandwich", "coordinates", "main",
+    "signals",
 }  # fmt: skip
 FORMER_KEY = ("app/helicoide/kinematics/robot_file.py", "ours")  # of robot.toml, still read
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")

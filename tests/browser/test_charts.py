@@ -1,4 +1,4 @@
-"""The tab of charts: signals with their bands while the arm moves, pause, the file, the loop's diagram, the matrices."""
+"""The tab of charts: signals and their bands while the arm moves, pause, file, diagram of the loop, matrices."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ GLOSSARY = (PACKAGE.parents[1] / "CONTRIBUTING.md").read_text("utf-8").partition
 # Names that a contract asks of each file of a kind.
 CONTRACT = {
     "Options", "Memory", "applies", "build", "cost", "find", "gradient", "rows", "run", "start", "step", "names",
-    "named", "faults", "product", "sandwich", "coordinates", "main", "moves", "needs",
+    "named", "faults", "product", "sandwich", "coordinates", "main", "moves", "needs", "signals",
 }  # fmt: skip
 # Its functions have the names of those that do the same with arrays.
 TEACHING = "app/helicoide/teaching/elements.py"

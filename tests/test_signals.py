@@ -1,4 +1,4 @@
-"""Signals of every arm and method: finite or undefined, equal to independent computations, with the bands of the state."""
+"""Signals of every arm and method: finite or undefined, as computed independently, with the bands of the state."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 from markupsafe import Markup
@@ -37,6 +38,7 @@ def loop_diagram(view: View) -> Markup:
     return drawn_loop(view.state, view.seat.language)
 
 
+@lru_cache(maxsize=8)  # all windows show the same drawing
 def drawn_loop(state: State, language: Language) -> Markup:
     """The loop of a state, from top to bottom; the last arrow leads back to the first block."""
     parts: list[Markup] = []

@@ -4,21 +4,34 @@ from __future__ import annotations
 
 from functools import partial
 
+from markupsafe import Markup
+
 from helicoide.readout.loop import loop_signals
 from helicoide.readout.signals import signals_of
 from helicoide.text import Text
 from helicoide.view.loop_diagram import LOOP, loop_diagram
-from helicoide.view.rows import Button, DependentRows, Folder, ForSeat, HtmlRow, Row, View
-from helicoide.view.signal_rows import with_signal
+from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, ForSeat, HtmlRow, Row, View
+from helicoide.view.signal_rows import with_choice, with_signal
 
+SHOW = Text(en="Show the diagram", pt_BR="Mostrar o diagrama")
 ADD = Text(en="Add a signal of the loop to the charts", pt_BR="Acrescentar um sinal da malha aos gráficos")
 Named = tuple[tuple[str, Text], ...]
 
 
 def loop_rows() -> Folder:
-    """The diagram follows the method, the command and the surroundings."""
-    buttons = DependentRows(_on_arrows, _buttons)
-    return Folder(LOOP, [HtmlRow(loop_diagram, computed=True), Folder(ADD, buttons, open=False)], open=False)
+    """The diagram follows the method, the command and the surroundings. It is drawn only while it is asked for."""
+    return Folder(
+        LOOP,
+        [
+            Checkbox(
+                SHOW,
+                lambda view: view.seat.charts.loop,
+                lambda on: ForSeat(lambda seat: with_choice(seat, loop=bool(on))),
+            ),
+            HtmlRow(lambda view: loop_diagram(view) if view.seat.charts.loop else Markup(""), computed=True),
+            Folder(ADD, DependentRows(_on_arrows, _buttons), open=False),
+        ],
+    )
 
 
 def _on_arrows(view: View) -> Named:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from markupsafe import Markup
 
 from helicoide.readout.matrices import TITLES, NamedMatrix, named_matrix
-from helicoide.seat import Seat
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
 from helicoide.view.settings import NONE
+from helicoide.view.signal_rows import with_choice
 
 TITLE, SHOWN = Text(en="Matrices", pt_BR="Matrizes"), Text(en="Matrix", pt_BR="Matriz")
 UNDEFINED = Text(
@@ -31,16 +29,11 @@ def matrix_rows() -> Folder:
                 SHOWN,
                 [("", NONE), *TITLES.items()],
                 lambda view: view.seat.charts.matrix,
-                lambda name: ForSeat(lambda seat: _with_matrix(seat, name)),
+                lambda name: ForSeat(lambda seat: with_choice(seat, matrix=name)),
             ),
             HtmlRow(matrix_table, computed=True),
         ],
-        open=False,
     )
-
-
-def _with_matrix(seat: Seat, name: str) -> Seat:
-    return replace(seat, charts=replace(seat.charts, matrix=name if name in TITLES else ""))
 
 
 def matrix_table(view: View) -> Markup:

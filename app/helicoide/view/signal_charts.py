@@ -24,7 +24,8 @@ TIME = Text(en="time t [s]", pt_BR="tempo t [s]")
 OF_METHOD, INVERSE = untranslated("{curve}, {method}"), untranslated("{y} = 1/{x}")
 # A logarithmic axis shows at most this many powers of ten below the largest value.
 DECADES = 8
-BRANCH = 400  # points of a branch of 1/x
+PHASE_POINTS = 250  # of a curve in a phase plane
+BRANCH = 100  # points of a branch of 1/x
 Titles = tuple[Text, ...]
 
 
@@ -134,6 +135,8 @@ def _phase_chart(
         return None
     x, y = history.values[across.name][part], history.values[up.name][part]
     lines = []
+    every = max(1, len(x) // PHASE_POINTS)
+    x, y = x[::-every][::-1], y[::-every][::-1]  # with the last sample
     for arm, c, title in _curves(up, titles):
         where = np.isfinite(x[:, arm, min(c, x.shape[2] - 1)]) & np.isfinite(y[:, arm, c])
         if where.any():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,9 +19,8 @@ from helicoide.view.rows import Button, Checkbox, Dropdown, Folder, ForSeat, Htm
 from helicoide.view.settings import NONE
 from helicoide.view.signal_charts import live_charts, method_titles
 
-TITLE = Text(en="Signals over time", pt_BR="Sinais no tempo")
 MOST_CHARTS, SPANS, FILE = 4, (10, 20, 30, 60), "helicoide_signals.csv"
-GROUP, CUSTOM = Text(en="Group", pt_BR="Grupo"), Text(en="own choice", pt_BR="escolha própria")
+GROUP, CUSTOM = Text(en="Signals", pt_BR="Sinais"), Text(en="own choice", pt_BR="escolha própria")
 CHOICE, CHART = (
     Text(en="Signal of each chart", pt_BR="Sinal de cada gráfico"),
     Text(en="Chart {n}", pt_BR="Gráfico {n}"),
@@ -46,27 +45,24 @@ POINTER = Text(
 )
 
 
-def signal_rows() -> Folder:
-    """Nothing is sampled while no signal is chosen."""
-    return Folder(
-        TITLE,
-        [
-            Dropdown(GROUP, _groups, _group, lambda name: _request(lambda seat: with_group(seat, name))),
-            Folder(CHOICE, [_picker(index) for index in range(MOST_CHARTS)], open=False),
-            Dropdown(
-                SPAN,
-                [(str(n), SECONDS.format(n=n)) for n in SPANS],
-                lambda view: str(round(view.seat.charts.span)),
-                lambda n: _request(lambda seat: _with(seat, span=float(n) if n in map(str, SPANS) else 20.0)),
-            ),
-            Checkbox(
-                LOG, lambda view: view.seat.charts.log, lambda on: _request(lambda seat: _with(seat, log=bool(on)))
-            ),
-            *(Plot(live_charts, index) for index in range(MOST_CHARTS)),
-            HtmlRow(_note),
-            *_buttons(),
-        ],
-    )
+def signal_rows() -> list[Row]:
+    """Nothing is sampled while no signal is chosen. Charts are rows of their own, since a window writes row by row."""
+    return [
+        Dropdown(GROUP, _groups, _group, lambda name: ForSeat(lambda seat: with_group(seat, name))),
+        Folder(CHOICE, [_picker(index) for index in range(MOST_CHARTS)], open=False),
+        Dropdown(
+            SPAN,
+            [(str(n), SECONDS.format(n=n)) for n in SPANS],
+            lambda view: str(round(view.seat.charts.span)),
+            lambda n: ForSeat(lambda seat: with_choice(seat, span=float(n))),
+        ),
+        Checkbox(
+            LOG, lambda view: view.seat.charts.log, lambda on: ForSeat(lambda seat: with_choice(seat, log=bool(on)))
+        ),
+        *(Plot(live_charts, index) for index in range(MOST_CHARTS)),
+        HtmlRow(_note),
+        *_buttons(),
+    ]
 
 
 def _buttons() -> Sequence[Row]:
@@ -74,7 +70,7 @@ def _buttons() -> Sequence[Row]:
     return (
         Button(
             lambda view: RESUME if view.seat.charts.paused else PAUSE,
-            lambda view: _request(lambda seat: _with(seat, paused=not view.seat.charts.paused)),
+            lambda view: ForSeat(lambda seat: with_choice(seat, paused=not view.seat.charts.paused)),
             Icon.PLAYER_PAUSE,
             lambda view: any(view.seat.charts.shown),
         ),
@@ -82,25 +78,22 @@ def _buttons() -> Sequence[Row]:
     )
 
 
-def _request(update: Callable[[Seat], Seat]) -> ForSeat:
-    return ForSeat(update)
-
-
-def _with(seat: Seat, **changes: object) -> Seat:
+def with_choice(seat: Seat, **changes: object) -> Seat:
+    """The seat with other fields of its choice of charts."""
     return replace(seat, charts=replace(seat.charts, **changes))  # type: ignore[arg-type]
 
 
 def with_group(seat: Seat, name: str) -> Seat:
     """The seat with the charts of a group, or without charts if there is no such group."""
     shown = next((group.PRESET for group in signal_groups() if _name(group) == name), ())
-    return _with(seat, shown=shown, paused=False)
+    return with_choice(seat, shown=shown, paused=False)
 
 
 def with_chart(seat: Seat, index: int, name: str) -> Seat:
     """The seat with one chart showing another signal, or no chart for the name ""."""
     shown = [*seat.charts.shown, *[""] * MOST_CHARTS][:MOST_CHARTS]
     shown[index] = name
-    return _with(seat, shown=tuple(shown))
+    return with_choice(seat, shown=tuple(shown))
 
 
 def with_signal(seat: Seat, name: str) -> Seat:
@@ -145,7 +138,7 @@ def _picker(index: int) -> Dropdown:
         CHART.format(n=index + 1),
         lambda view: [("", NONE), *chart_titles(view.state).items()],
         chosen,
-        lambda name: _request(lambda seat: with_chart(seat, index, name)),
+        lambda name: ForSeat(lambda seat: with_chart(seat, index, name)),
     )
 
 

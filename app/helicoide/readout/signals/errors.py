@@ -43,7 +43,7 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
     )
     if counted_rows(problem.robot, with_orientation)[3:].any():
         title = Text(en="Orientation error", pt_BR="Erro de orientação")
-        yield Signal("orientation error", title, "e_o", "°", (e_o,), orientation_error, positive=True)
+        yield Signal("orientation error", title, "e_o", "°", (e_o,), angle_error, positive=True)
     asked, had = Text(en="asked", pt_BR="pedida"), Text(en="actual", pt_BR="efetiva")
     title = Text(en="Joint velocity, asked and actual", pt_BR="Velocidade de junta, pedida e efetiva")
     yield Signal("asked speed", title, "‖q̇‖", "rad/s", (asked, had), speeds, positive=True)
@@ -67,7 +67,7 @@ def position_errors(state: State) -> Array:
     return 1000 * (target_pose(state)[:3, 3] - state.T_world_tool[:3, 3])
 
 
-def orientation_error(state: State) -> Array:
+def angle_error(state: State) -> Array:
     """The angle between the tool and its target, (1,), degrees; NaN without a target pose or path."""
     return scalar(np.degrees(errors(state)[1]) if _has_target(state) else np.nan)
 

@@ -19,4 +19,4 @@ ICON = Icon.CHART_LINE
 
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
-    return [signal_rows(), recording_rows(robot), loop_rows(), matrix_rows()]
+    return [*signal_rows(), recording_rows(robot), loop_rows(), matrix_rows()]

@@ -35,11 +35,12 @@ ABOUT = Text(
 NO_MOTION = Text(en="Run a study first.", pt_BR="Execute um estudo primeiro.")
 HOW = Text(en="Helicoide in a notebook", pt_BR="O Helicoide num caderno")
 NOTE = Markup("<div class='helicoide-note'><p>{}</p><p><a href='pages/{}/notebook' target='_blank'>{}</a></p></div>")
+# The page draws a picture with the pixels of its screen, up to three for each of these in both directions.
 PICTURES: dict[str, tuple[int, int]] = {
     "small": (640, 360),
     "page": (1280, 720),
     "slide": (1920, 1080),
-    "print": (3840, 2160),
+    "print": (2560, 1440),
     "upright": (1080, 1920),
 }
 

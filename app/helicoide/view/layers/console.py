@@ -23,6 +23,11 @@ NAME = "console"
 SHARED = False
 TITLE = Text(en="Results of the console", pt_BR="Resultados do console")
 SHOWN = True
+KIND = "algebra"
+SAID = Text(
+    en="The points, lines, planes and motors (as frames) that the lines of the console give, with their names.",
+    pt_BR="Os pontos, retas, planos e motores (como referenciais) que as linhas do console dão, com seus nomes.",
+)
 
 COLOUR = (0, 137, 123)
 DRAWN = ("point", "line", "plane", "motor")

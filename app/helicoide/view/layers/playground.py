@@ -20,6 +20,7 @@ NAME = "playground"
 SHARED = False
 TITLE = Text(en="Quaternion playground", pt_BR="Laboratório de quatérnios")
 SHOWN = False
+KIND = "algebra"
 SAID = Text(
     en="The vector parts of q₁, −q₁ and q₂ in the unit ball, slerp and lerp between them, and the frames q₁q₂ and "
     "q₂q₁.",

@@ -19,6 +19,7 @@ NAME = "screw"
 SHARED = False
 TITLE = Text(en="Screw of the highlighted object", pt_BR="Helicoide do objeto destacado")
 SHOWN = True
+KIND = "algebra"
 SAID = Text(
     en="The screw axis, the helix from the base (or from the joint's zero) to the object, and the angle φ as an arc.",
     pt_BR="O eixo helicoidal, a hélice da base (ou do zero da junta) até o objeto e o ângulo φ como um arco.",

@@ -33,10 +33,12 @@ WAY = Text(en="Way from q₁ to q₂, t", pt_BR="Caminho de q₁ a q₂, t")
 WAYS = Text(
     en="Slerp (blue) follows the sphere at constant speed, {slerp}° per unit of t. Lerp (orange) takes the straight "
     "chord and must be stretched to length 1: its length here is {length}, and it turns at {lerp}° per unit of t, slow "
-    "at the ends and fast in the middle. The dots are at equal steps of t.",
+    "at the ends and fast in the middle. The dots are at equal steps of t, those of "
+    "lerp stretched to length 1.",
     pt_BR="O slerp (azul) segue a esfera com velocidade constante, {slerp}° por unidade de t. O lerp (laranja) vai "
     "pela corda e precisa ser esticado até o comprimento 1: aqui mede {length} e gira a {lerp}° por unidade de t, "
-    "devagar nas pontas e depressa no meio. As marcas estão em passos iguais de t.",
+    "devagar nas pontas e depressa no meio. As marcas estão em passos iguais de t, "
+    "as do lerp esticadas até o comprimento 1.",
 )
 LONG_WAY = Text(
     en="q₁·q₂ is negative: this is the longer way. Write −q₁ for the shorter one.",

@@ -1,6 +1,6 @@
 """Quantities derived from a State for display: named multivectors, distances, instruments and the status in words."""
 
-from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms
+from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms, joints_before
 from helicoide.readout.coefficients import ALGEBRAS, Coefficient, coefficients, exact_text, in_algebra
 from helicoide.readout.distances import distance_product, nearest_point_and_plane, plane_distances, zones
 from helicoide.readout.elements import Element, Nature, element_of, elements
@@ -14,7 +14,7 @@ from helicoide.readout.instruments import (
     target_pose,
 )
 from helicoide.readout.marks import Marks, coefficient_marks
-from helicoide.readout.meanings import INTRODUCTION, meaning
+from helicoide.readout.meanings import INTRODUCTION, meaning, meanings
 from helicoide.readout.pose_forms import PoseForms, forms_of_pose
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.roles import Role, role_of
@@ -53,9 +53,11 @@ __all__ = [
     "forms_of_pose",
     "in_algebra",
     "instruments",
+    "joints_before",
     "limited_by",
     "limiting",
     "meaning",
+    "meanings",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",

@@ -64,7 +64,7 @@ def sum_of_blades(values: Array, shown: tuple[Coefficient, ...], language: Langu
 
     Made without MathML, which takes a millisecond each time that the arm moves.
     """
-    terms = []
+    terms: list[Markup] = []
     for one in shown:
         said = coefficient(one.sign * float(values[one.place]), language)
         if said != "0":

@@ -63,7 +63,7 @@ def test_a_long_chain_keeps_its_first_joints_together() -> None:
     """Thirteen joints: three stay one factor, the terms of the others add up all the same."""
     state = scene("puma560", 0)
     joints = (*state.robot.joints, *state.robot.joints, state.robot.joints[0])
-    long = replace(state.robot, joints=joints)
+    long = replace(state.robot, joints=joints)  # its cached properties are made anew
     values = np.random.default_rng(1).uniform(-2, 2, len(joints))
     chain = Chain(long, values, CL031.blade("1"))
     for place in range(CL031.count):

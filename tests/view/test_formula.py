@@ -13,7 +13,7 @@ from helicoide.geometry.clifford import CL031
 from helicoide.geometry.notation import BladeNaming, multivector_text
 from helicoide.readout import ALGEBRAS, Nature, coefficients, in_algebra
 from helicoide.seat import Notation
-from helicoide.view.formula import coefficient_grid, formula_html
+from helicoide.view.formula import coefficient_grid, formula_html, sum_of_blades
 
 CELL = re.compile(r'<i class="g(\d)( chosen)?( zero)?"><b>(.*?)</b><u>(.*?)</u></i>')
 NOTATIONS = [Notation(algebra, naming) for algebra in ALGEBRAS for naming in get_args(BladeNaming)]
@@ -31,6 +31,10 @@ def test_the_grid_has_the_order_and_the_signs_of_the_sum(nature: Nature, notatio
     ]
     assert [name for _, _, name in cells] == [one.name for one in shown]
     assert [grade for grade, _, _ in cells] == sorted(CL031.grades)
+    summed = re.findall(r"<span>([+−]? ?)([\d.]+)\u2009?(.*?)</span>", sum_of_blades(values, shown))
+    assert [
+        (re.sub("</?sub>", "", name), float(sign.replace("−", "-").strip() + said)) for sign, said, name in summed
+    ] == [(name, float(said)) for _, said, name in cells if said]
     algebra = ALGEBRAS[notation.algebra]
     written = multivector_text(in_algebra(nature, values, notation.algebra), algebra, notation.naming)
     terms = re.findall(r"(-?) ?([\d.]+) (e\w*)", written)

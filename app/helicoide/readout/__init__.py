@@ -1,6 +1,6 @@
 """Quantities derived from a State for display: named multivectors, distances, instruments and the status in words."""
 
-from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms
+from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, chain_terms, joints_before
 from helicoide.readout.coefficients import ALGEBRAS, Coefficient, coefficients, exact_text, in_algebra
 from helicoide.readout.dimension_lines import DimensionLines, dimension_lines
 from helicoide.readout.distances import distance_product, nearest_point_and_plane, plane_distances, zones
@@ -15,7 +15,7 @@ from helicoide.readout.instruments import (
     target_pose,
 )
 from helicoide.readout.marks import Marks, coefficient_marks
-from helicoide.readout.meanings import INTRODUCTION, meaning
+from helicoide.readout.meanings import INTRODUCTION, meaning, meanings
 from helicoide.readout.partial_products import partial_displacements
 from helicoide.readout.pose_forms import PoseForms, forms_of_pose
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
@@ -68,9 +68,11 @@ __all__ = [
     "in_algebra",
     "instruments",
     "jacobian_now",
+    "joints_before",
     "limited_by",
     "limiting",
     "meaning",
+    "meanings",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.arrays import Array
 from helicoide.geometry import rigid
@@ -13,6 +15,7 @@ from helicoide.kinematics.chain import joint_positions
 from helicoide.kinematics.forward import joint_motor
 from helicoide.kinematics.robot import Robot
 from helicoide.readout.elements import Element
+from helicoide.seat import Selection
 from helicoide.state import State
 
 # Joints that are expanded; 2ⁿ terms. The first joints of a longer chain stay together as one factor.
@@ -71,21 +74,33 @@ class ChainTerms:
 def chain_of(state: State, element: Element) -> Chain | None:
     """The product of which an element is the result; None if it is not carried by the arm."""
     robot, selection = state.robot, element.selection
-    points = robot.points
+    count = joints_before(robot, selection)
     match selection.kind:
         case "tool":
-            count, at_zero = len(robot.joints), robot.T_world_tool_0
+            at_zero = robot.T_world_tool_0
         case "link":
-            count, at_zero = selection.index + 1, _shifted(np.eye(4), points[selection.index])
+            at_zero = _shifted(np.eye(4), robot.points[selection.index])
         case "frame":
-            frame = list(robot.frames.values())[selection.index]
-            count = frame.link
-            at_zero = _shifted(frame.T_link_frame, points[count - 1]) if count else frame.T_link_frame
+            at_zero = list(robot.frames.values())[selection.index].T_link_frame
+            at_zero = _shifted(at_zero, robot.points[count - 1]) if count else at_zero
         case _:
             return None
     values = joint_positions(robot.chain, state.arm.q)[:count]
     chain = Chain(robot, values, rigid.motor_from_pose(at_zero))
     return replace(chain, sign=float(np.sign(chain.motor @ element.values(state))) or 1.0)
+
+
+def joints_before(robot: Robot, selection: Selection) -> int:
+    """How many joints carry a tool, a link or a frame; 0 for other objects."""
+    match selection.kind:
+        case "tool":
+            return len(robot.joints)
+        case "link":
+            return selection.index + 1
+        case "frame":
+            return list(robot.frames.values())[selection.index].link
+        case _:
+            return 0
 
 
 def _shifted(T: Array, by: Array) -> Array:
@@ -102,20 +117,13 @@ def chain_terms(chain: Chain, place: int) -> ChainTerms:
     place: of the blade in `CL031`. Source: Cerbaro 2022, eqs. 96–99, multiplied out.
     """
     together = max(0, len(chain.values) - MOST_EXPANDED)
-    products = replace(chain, values=chain.values[:together], at_zero=CL031.blade("1"), sign=1.0).motor[None]
-    weights, chosen = np.ones(1), np.zeros((1, 0), dtype=bool)
-    for joint, value in list(zip(chain.robot.joints, chain.values, strict=False))[together:]:
-        first, second = (1.0, float(value) / 2) if joint.is_prismatic else (np.cos(value / 2), np.sin(value / 2))
-        bivector = (
-            2 * rigid.null_part(rigid.translator(joint.direction))
-            if joint.is_prismatic
-            else rigid.line(joint.direction, joint.point)
-        )
-        products = np.concatenate([products, CL031.product(products, bivector)])
-        weights = np.concatenate([weights * first, weights * second])
-        chosen = np.block([[chosen, np.zeros((len(chosen), 1), bool)], [chosen, np.ones((len(chosen), 1), bool)]])
-    constants = CL031.product(products, chain.at_zero)[:, place]
-    values = weights * constants
+    first = replace(chain, values=chain.values[:together], at_zero=CL031.blade("1"), sign=1.0).motor
+    products, chosen = _products(chain.robot, together, len(chain.values))
+    constants = CL031.product(CL031.product(first[None], products), chain.at_zero)[:, place]
+    halves = chain.values[together:] / 2
+    slides = chain.robot.chain["slides"][together : len(chain.values)]
+    sines, cosines = np.where(slides, halves, np.sin(halves)), np.where(slides, 1.0, np.cos(halves))
+    values = constants * np.where(chosen, sines, cosines).prod(axis=1)
     kept = np.flatnonzero(np.abs(values) > NOISE * np.abs(values).sum())
     order = kept[np.argsort(-np.abs(values[kept]), kind="stable")]
     return ChainTerms(
@@ -123,11 +131,27 @@ def chain_terms(chain: Chain, place: int) -> ChainTerms:
     )
 
 
-def _term(chain: Chain, value: float, constant: float, chosen: Array, together: int) -> Term:
+@lru_cache(maxsize=128)
+def _products(robot: Robot, first: int, end: int) -> tuple[Array, NDArray[np.bool_]]:
+    """The products of lines ℓᵢ ℓⱼ … for each choice among the joints from `first` to `end`: (2ⁿ, 16), and (2ⁿ, n).
+
+    A joint that slides has s e instead of a line. They do not depend on the joint values.
+    """
+    products, chosen = CL031.blade("1")[None], np.zeros((1, 0), dtype=bool)
+    for joint in robot.joints[first:end]:
+        slide = 2 * rigid.null_part(rigid.translator(joint.direction))
+        bivector = slide if joint.is_prismatic else rigid.line(joint.direction, joint.point)
+        products = np.concatenate([products, CL031.product(products, bivector)])
+        without, within = np.zeros((len(chosen), 1), bool), np.ones((len(chosen), 1), bool)
+        chosen = np.block([[chosen, without], [chosen, within]])
+    return products, chosen
+
+
+def _term(chain: Chain, value: float, constant: float, chosen: NDArray[np.bool_], together: int) -> Term:
     sines = tuple(int(i) + together for i in np.flatnonzero(chosen))
     cosines = tuple(
         int(i) + together
-        for i in np.flatnonzero(~chosen.astype(bool))
+        for i in np.flatnonzero(~chosen)
         if not chain.robot.joints[i + together].is_prismatic and chain.values[i + together] != 0
     )
     return Term(value, constant, sines, cosines)

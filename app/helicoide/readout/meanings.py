@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from helicoide.arrays import Array
@@ -89,10 +91,19 @@ def meaning(nature: Nature, values: Array, blade: str | None, sign: float = 1.0)
 
     values: (16,) of `CL031`, m; sign: with which the stored coefficient is displayed.
     """
-    role = role_of(nature, blade)
+    return meanings(nature, values, [(blade, sign)])[0]
+
+
+def meanings(nature: Nature, values: Array, blades: Iterable[tuple[str | None, float]]) -> list[Text]:
+    """The same for several blades, each with its sign."""
+    screw = motor.screw_from_motor(values) if nature == "motor" else None
+    return [_meaning(values, screw, role_of(nature, blade), sign) for blade, sign in blades]
+
+
+def _meaning(values: Array, screw: ScrewDisplacement | None, role: Role | None, sign: float) -> Text:
     if role is None:
         return ZERO
-    said = _of_motor(values, role) if nature == "motor" else _of_element(values, role)
+    said = _of_element(values, role) if screw is None else _of_motor(screw, role)
     opposite = sign * role.sign * (-1 if role.part == "slide" else 1) < 0
     return OPPOSITE.format(said=said) if opposite else said
 
@@ -111,8 +122,7 @@ def _of_element(values: Array, role: Role) -> Text:
     return _WORDS[role.part].format(axis=axis, distance=_number(1000 * distance, 1))
 
 
-def _of_motor(values: Array, role: Role) -> Text:
-    screw: ScrewDisplacement = motor.screw_from_motor(values)
+def _of_motor(screw: ScrewDisplacement, role: Role) -> Text:
     i = role.axis or 0
     if screw.angle == 0 and role.part == "dual":
         way = 1000 * float((screw.displacement * screw.direction)[i])

@@ -77,10 +77,11 @@ def on_instance(mesh: viser.BatchedMeshHandle, act: Callable[[int], None]) -> No
 
 
 def on_pick(scene: viser.SceneApi, act: Callable[[Array, Array], None]) -> None:
-    """Call `act` with the ray of each click in a scene: where it starts (3,), m, and its direction (3,)."""
+    """Call `act`, and nothing else, with the ray of each click in a scene: its start (3,), m, and direction (3,)."""
 
     async def picked(event: viser.SceneClickEvent) -> None:
         act(np.array(event.ray_origin), np.array(event.ray_direction))
 
+    scene.remove_click_callback()  # that of layers before these
     register: Any = scene.on_click()  # it takes coroutines, although its type does not say so
     register(picked)

@@ -59,6 +59,21 @@ def coefficient_grid(
     return _grid(shown, chosen) % tuple(word for words in said for word in words)
 
 
+def sum_of_blades(values: Array, shown: tuple[Coefficient, ...], language: Language = "en") -> Markup:
+    """The multivector (16,) of `CL031` as a sum, in the order, signs and digits of the grid; it breaks between terms.
+
+    Made without MathML, which takes a millisecond each time that the arm moves.
+    """
+    terms: list[Markup] = []
+    for one in shown:
+        said = coefficient(one.sign * float(values[one.place]), language)
+        if said != "0":
+            sign = "− " if said.startswith("−") else "+ " if terms else ""
+            blade = Markup("") if one.name == "1" else Markup("\u2009") + _blade(one.name)
+            terms.append(Markup("<span>{}{}{}</span>").format(sign, said.removeprefix("−"), blade))
+    return Markup('<p class="helicoide-sum">= {}</p>').format(Markup(" ").join(terms) or "0")
+
+
 @lru_cache(maxsize=64)
 def general_formula(nature: Nature, notation: Notation) -> Markup:
     """A multivector of this nature with letters for its coefficients, in the order and with the signs of the grid.

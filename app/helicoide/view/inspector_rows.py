@@ -10,12 +10,11 @@ from functools import lru_cache
 from markupsafe import Markup
 
 from helicoide import gate, readout
-from helicoide.geometry.notation import multivector_latex
 from helicoide.readout import Coefficient, Element, Nature
 from helicoide.seat import Notation, Selection, SelectionKind
 from helicoide.text import HelicoideError, Language, Text, untranslated
 from helicoide.view import html
-from helicoide.view.formula import blade_words, coefficient_grid, formula_html, general_formula
+from helicoide.view.formula import blade_words, coefficient_grid, formula_html, general_formula, sum_of_blades
 from helicoide.view.rows import (
     DependentRows,
     Dropdown,
@@ -122,16 +121,11 @@ def _selected(view: View) -> Markup:
         return html.note(CHOOSE[view.seat.language])
     notation, language = view.seat.notation, view.seat.language
     values = element.values(view.state)
-    sum_of_blades = multivector_latex(
-        readout.in_algebra(element.nature, values, notation.algebra),
-        readout.ALGEBRAS[notation.algebra],
-        notation.naming,
-    )
     copy = Markup('<button type="button" class="helicoide-copy" data-text="{}" data-done="{}">{}</button>')
     return Markup('<div class="helicoide-lit">{}{}{}{}</div>').format(
         shown(view, element, view.seat.coefficient),
         general_formula(element.nature, notation),
-        formula_html("= " + (sum_of_blades.replace(".", "{,}") if language == "pt_BR" else sum_of_blades)),
+        sum_of_blades(values, readout.coefficients(element.nature, notation), language),
         copy.format(readout.exact_text(element.nature, values, notation), COPIED[language], COPY[language]),
     )
 

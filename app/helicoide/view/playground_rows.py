@@ -13,9 +13,8 @@ from helicoide.geometry import rotation
 from helicoide.geometry.quaternion_paths import lerp, lerp_speed, slerp, slerp_speed
 from helicoide.seat import AxisAngle
 from helicoide.text import Text, number_text
-from helicoide.view.formula import formula_html
 from helicoide.view.layers import playground as layer
-from helicoide.view.pose_form_rows import quaternion_tex
+from helicoide.view.pose_form_rows import quaternion_words
 from helicoide.view.rows import Checkbox, Folder, ForSeat, HtmlRow, PageRequest, Row, Slider, VectorRow, View
 
 TITLE = Text(en="Quaternion playground", pt_BR="Laboratório de quatérnios")
@@ -33,10 +32,12 @@ WAY = Text(en="Way from q₁ to q₂, t", pt_BR="Caminho de q₁ a q₂, t")
 WAYS = Text(
     en="Slerp (blue) follows the sphere at constant speed, {slerp}° per unit of t. Lerp (orange) takes the straight "
     "chord and must be stretched to length 1: its length here is {length}, and it turns at {lerp}° per unit of t, slow "
-    "at the ends and fast in the middle. The dots are at equal steps of t.",
+    "at the ends and fast in the middle. The dots are at equal steps of t, those of "
+    "lerp stretched to length 1.",
     pt_BR="O slerp (azul) segue a esfera com velocidade constante, {slerp}° por unidade de t. O lerp (laranja) vai "
     "pela corda e precisa ser esticado até o comprimento 1: aqui mede {length} e gira a {lerp}° por unidade de t, "
-    "devagar nas pontas e depressa no meio. As marcas estão em passos iguais de t.",
+    "devagar nas pontas e depressa no meio. As marcas estão em passos iguais de t, "
+    "as do lerp esticadas até o comprimento 1.",
 )
 LONG_WAY = Text(
     en="q₁·q₂ is negative: this is the longer way. Write −q₁ for the shorter one.",
@@ -112,9 +113,9 @@ def _words(view: View) -> Markup:
     )
     first, second = rotation.multiply(np.array([p, q]), np.array([q, p]))
     between = np.degrees(2 * np.arccos(min(1.0, abs(float(first @ second)))))
-    named = {"q_1": p, "q_2": q, "q(t)": slerp(p, q, play.t), "q_1q_2": first, "q_2q_1": second}
-    formulas = Markup("").join(
-        formula_html(f"{name} {quaternion_tex(value, language).removeprefix('q ')}") for name, value in named.items()
-    )
+    named = {"q₁": p, "q₂": q, "slerp(t)": slerp(p, q, play.t), "q₁q₂": first, "q₂q₁": second}
+    row = Markup("<tr><td>{} =</td><td>{}</td></tr>")
+    rows = (row.format(name, quaternion_words(value, language)) for name, value in named.items())
+    table = Markup("<div class='helicoide-note'><table>{}</table></div>").format(Markup("").join(rows))
     said = [ways, *([LONG_WAY] if p @ q < 0 else []), ORDER.format(angle=number_text(float(between), ".1f"))]
-    return formulas + Markup("").join(Markup("<p class='helicoide-note'>{}</p>").format(one[language]) for one in said)
+    return table + Markup("").join(Markup("<p class='helicoide-note'>{}</p>").format(one[language]) for one in said)

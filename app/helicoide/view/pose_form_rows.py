@@ -13,7 +13,6 @@ from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.readout import PoseForms
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
-from helicoide.view.formula import formula_html
 from helicoide.view.inspector_rows import inspected
 from helicoide.view.notation_rows import convention_title, euler_row
 from helicoide.view.rows import Folder, HtmlRow, View
@@ -79,8 +78,8 @@ def _written(forms: PoseForms, convention: str, language: Language) -> Markup:
     halves = HALVES.format(half=_number(np.degrees(half), 2), sine=_number(np.sin(half), 4))
     parts = [
         _screw(forms.screw, language, STILL),
-        Markup("<p><b>{}</b></p>{}<p>{}</p>").format(
-            QUATERNION[language], formula_html(quaternion_tex(q, language)), halves[language]
+        Markup("<p><b>{}</b> q = {}</p><p>{}</p>").format(
+            QUATERNION[language], quaternion_words(q, language), halves[language]
         ),
         _table(DUAL, forms.dual_quaternion.reshape(2, 4), 4, language),
         _table(MATRIX, _in_mm(forms.matrix), 3, language),
@@ -96,11 +95,11 @@ def _in_mm(T: Array) -> Array:
     return shown
 
 
-def quaternion_tex(q: Array, language: Language) -> str:
-    """A quaternion wxyz in TeX with four decimals: q = w + x i + y j + z k."""
-    w, *vector = (f"{value:+.4f}" for value in q)
-    words = w.removeprefix("+") + "".join(rf" {x[0]} {x[1:]}\,{unit}" for x, unit in zip(vector, "ijk", strict=True))
-    return "q = " + (words.replace(".", "{,}") if language == "pt_BR" else words)
+def quaternion_words(q: Array, language: Language) -> str:
+    """A quaternion wxyz as w + x i + y j + z k, with four decimals."""
+    w, *vector = (f"{value:+.4f}" for value in q + 0.0)
+    words = w.removeprefix("+") + "".join(f" {x[0]} {x[1:]} {unit}" for x, unit in zip(vector, "ijk", strict=True))
+    return (words.replace(".", ",") if language == "pt_BR" else words).replace("-", "−")
 
 
 def _screw(screw: ScrewDisplacement, language: Language, still: Text) -> Markup:

@@ -12,7 +12,7 @@ from helicoide.readout import Chain, ChainTerms, Term
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.formula import blade_words, formula_html
-from helicoide.view.inspector_rows import chosen_coefficient
+from helicoide.view.inspector_rows import chosen_coefficient, inspected
 from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
 from helicoide.view.settings import NONE
 
@@ -59,13 +59,13 @@ def term_rows() -> Folder:
 
 def chain_shown(view: View) -> Chain | None:
     """The product that makes the inspected frame; None if it is not one of the arm."""
-    chosen = readout.element_of(view.state, view.seat.selected)
-    return None if chosen is None else readout.chain_of(view.state, chosen)
+    element = inspected(view)
+    return None if element is None else readout.chain_of(view.state, element)
 
 
 def _numbers_of(view: View) -> Sequence[int]:
-    chain = chain_shown(view)
-    return range(0 if chain is None else len(chain.values))
+    element = inspected(view)
+    return range(0 if element is None else readout.joints_before(view.state.robot, element.selection))
 
 
 def _joints(view: View) -> Sequence[tuple[Hashable, Text]]:

@@ -59,7 +59,12 @@ def build(stage: Stage) -> PlaygroundLayer:
     root = scene.add_frame("/playground", show_axes=False, position=centre, visible=False)
     scene.add_icosphere("/playground/ball", r, BALL, opacity=0.18, cast_shadow=False)
     gizmo = scene.add_transform_controls(
-        "/playground/gizmo", scale=1.3 * r, line_width=3.0 * stage.weight, disable_axes=True, disable_sliders=True
+        "/playground/gizmo",
+        scale=1.9 * r,
+        line_width=3.0 * stage.weight,
+        disable_axes=True,
+        disable_sliders=True,
+        depth_test=False,
     )
     bind.on_drag(gizmo, lambda phase, position, wxyz: stage.act(ForSeat(_turned(wxyz))))
     products = tuple(
@@ -106,6 +111,12 @@ def _turned(wxyz: Array) -> SeatUpdate:
     return update
 
 
+def _stretched(q: Array) -> Array:
+    """Quaternions (k, 4) stretched to length one; one of length zero stays."""
+    length = np.linalg.norm(q, axis=-1, keepdims=True)
+    return np.asarray(np.divide(q, length, out=np.zeros_like(q), where=length > 0))
+
+
 class PlaygroundLayer:
     """The playground of one window. radius: of the unit ball as it is drawn, m."""
 
@@ -128,7 +139,7 @@ class PlaygroundLayer:
             line.points = r * np.stack([way[:-1, 1:], way[1:, 1:]], axis=1).astype(np.float32)
         dots = np.append(np.linspace(0.0, 1.0, DOTS + 1), play.t)
         nodes.slerp_dots.points = (r * slerp(p, q, dots)[:, 1:]).astype(np.float32)
-        nodes.lerp_dots.points = (r * lerp(p, q, dots)[:, 1:]).astype(np.float32)
+        nodes.lerp_dots.points = (r * _stretched(lerp(p, q, dots))[:, 1:]).astype(np.float32)
         ends = np.array([p[1:], -p[1:], q[1:]])
         nodes.points.points = (r * ends).astype(np.float32)
         nodes.points.colors = np.array([FIRST, FIRST, SECOND], dtype=np.uint8)

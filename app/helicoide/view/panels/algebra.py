@@ -100,14 +100,14 @@ def _meanings(view: View) -> Markup:
     """Each coefficient of the inspected object that is not zero, in words; without an object, the tool's."""
     element = inspected(view) or readout.elements(view.state)[0]
     language, values = view.seat.language, element.values(view.state)
+    known = readout.coefficients(element.nature, view.seat.notation)
+    present = [one for one in known if abs(values[one.place]) >= ZERO]
+    words = readout.meanings(element.nature, values, [(one.blade, one.sign) for one in present])
     lines = (
         Markup("<li><b>{} = {}</b> {}</li>").format(
-            blade_words(one.name),
-            coefficient(one.sign * float(values[one.place]), language),
-            readout.meaning(element.nature, values, one.blade, one.sign)[language],
+            blade_words(one.name), coefficient(one.sign * float(values[one.place]), language), said[language]
         )
-        for one in readout.coefficients(element.nature, view.seat.notation)
-        if abs(values[one.place]) >= ZERO
+        for one, said in zip(present, words, strict=True)
     )
     first = readout.INTRODUCTION[language] if element.nature == "motor" else ""
     return Markup("<div class='helicoide-note helicoide-meanings'><p>{}</p><ul>{}</ul></div>").format(

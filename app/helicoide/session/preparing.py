@@ -17,6 +17,7 @@ from helicoide import gate, kernels
 from helicoide.advance import advance
 from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement.planes import signed_distances
+from helicoide.console import all_functions, sheet_results
 from helicoide.foresight import foreseen, search_posture
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
@@ -41,6 +42,7 @@ from helicoide.perception.lzf import unpack_lzf
 from helicoide.perception.planes import find_plane
 from helicoide.session.postures import list_postures
 from helicoide.session.workcell import TICK
+from helicoide.sheet import Sheet, SheetLine
 from helicoide.state import State, initial_state, with_command
 from helicoide.text import Text
 
@@ -98,10 +100,18 @@ def _look(state: State) -> None:
     tool_kernels.tool_pose(tool_kernels.arm_array(robot), q)
     tool_kernels.tool_jacobian(tool_kernels.arm_array(robot), q)
     _list_postures()
+    _use_console(state)
     find_plane(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
     unpack_lzf(bytes(2), 1)
     walk_rows([Column("", "<u1")], 1, bytes(1), 0)
     workspace.count_chunk(workspace.plan_map(robot, "reachable", 1), 0)
+
+
+def _use_console(state: State) -> None:
+    """The products of all algebras of the console."""
+    lines = ("e1*e2", "e12 >> e1", "e1 ^ e2", "i*j", "i >> j", "modern(e1)*modern(e2)", "modern(e12) >> modern(e1)")
+    for line in (*lines, *(function.example.expression for function in all_functions().values())):
+        sheet_results(Sheet((SheetLine(line),)), state)
 
 
 def _list_postures() -> None:

@@ -74,6 +74,7 @@ OF_ANOTHER_ARM = {"shaft": "dia10_rod"}
 @pytest.fixture(scope="module")
 def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
+    drawn(lab, shared_page, lab.session.view(lab.windows[-1]))  # the first pictures differ, until all is loaded
     return shared_page
 
 
@@ -94,16 +95,15 @@ def drawn(lab: Lab, page: Page, view: View) -> np.ndarray:
         window.client.flush()
 
     lab.session.loop.call_soon_threadsafe(draw)
-    page.wait_for_timeout(600)
+    page.wait_for_timeout(500)
     pictures = [canvas(page)]
     until(page, lambda: _rests(page, pictures))
     return pictures[-1]
 
 
 def _rests(page: Page, pictures: list[np.ndarray]) -> bool:
-    page.wait_for_timeout(300)
     pictures.append(canvas(page))
-    return len(pictures) > 2 and all((picture == pictures[-1]).all() for picture in pictures[-3:])
+    return bool((pictures[-2] == pictures[-1]).all())
 
 
 def only(view: View, name: str | None) -> View:

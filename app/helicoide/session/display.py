@@ -55,6 +55,7 @@ class Display:
         self.frames = 0
         self.news = asyncio.Event()  # set when rows may be out of date
         self._moved = asyncio.Event()  # set when the scene may be out of date
+        self._again: asyncio.TimerHandle | None = None  # of the next frame, if a layer moves by itself
         self._putting_up = asyncio.Lock()
         self._scene: Scene | None = None
         self._drawn: tuple[Robot | None, object] = (None, None)
@@ -67,6 +68,8 @@ class Display:
 
     def close(self) -> None:
         """End both tasks."""
+        if self._again is not None:
+            self._again.cancel()
         for task in self._tasks:
             task.cancel()
 
@@ -130,14 +133,18 @@ class Display:
         assert self._scene is not None
         with self.audience.atomic():
             self._scene.update(View(state, NOBODY))
+        moves = False
         for window in tuple(self.windows):
             if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
                 self.supply(view)
-                if any_moves(view):
-                    asyncio.get_running_loop().call_later(MOVES, self._moved.set)
+                moves = moves or any_moves(view)
             window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
+        if self._again is not None:
+            self._again.cancel()
+        if moves:
+            self._again = asyncio.get_running_loop().call_later(MOVES, self._moved.set)
 
     async def _up_to_date(self) -> State:
         """Build the scene and fill the windows for the current robot, if another one is drawn; returns the state."""

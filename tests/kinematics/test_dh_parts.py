@@ -20,7 +20,7 @@ def test_segments_lead_from_frame_to_frame_and_arcs_from_axis_to_axis(name: str)
     standard = robot.dh.convention == "standard"
     for q in postures(robot, 5):
         frames = dh_frames(robot, q)
-        for (before, after), row in zip(pairwise(frames), dh_parts(robot, q, RADIUS), strict=True):
+        for (before, after), row in zip(pairwise(frames), dh_parts(robot, q, frames, RADIUS), strict=True):
             first, second = (row.d, row.a) if standard else (row.a, row.d)
             close(first[0], before[:3, 3])
             close(first[1], second[0])
@@ -43,7 +43,8 @@ def test_segments_lead_from_frame_to_frame_and_arcs_from_axis_to_axis(name: str)
 
 def test_the_lengths_of_the_movemaster_are_those_of_its_file() -> None:
     robot = arm("movemaster")
-    for row, given in zip(dh_parts(robot, robot.poses["ready"], RADIUS), robot.dh.rows, strict=True):
+    q = robot.poses["ready"]
+    for row, given in zip(dh_parts(robot, q, dh_frames(robot, q), RADIUS), robot.dh.rows, strict=True):
         close(np.linalg.norm(row.d[1] - row.d[0]), abs(given.d))
         close(np.linalg.norm(row.a[1] - row.a[0]), abs(given.a))
 

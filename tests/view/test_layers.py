@@ -221,7 +221,7 @@ def test_dh_frames_and_parts(server: viser.ViserServer, name: str) -> None:
     same(drawn.node("frames").batched_positions, frames[:, :3, 3], state.robot.reach)
     same([rotation.to_matrix(q.astype(float)) for q in drawn.node("frames").batched_wxyzs], frames[:, :3, :3])
     lengths = sum(float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum()) for ends in map(drawn.points, "da"))
-    rows = dh.dh_parts(state.robot, state.arm.q, 1.0)
+    rows = dh.dh_parts(state.robot, state.arm.q, list(frames), 1.0)
     same(lengths, sum(abs(row.values.d) + abs(row.values.a) for row in rows), 10)
     assert len(drawn.names) == sum(abs(value) > dh.NOTHING for row in rows for value in row.values)
 

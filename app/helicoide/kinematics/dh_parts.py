@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.kinematics.chain import joint_positions
-from helicoide.kinematics.forward import dh_frames
 from helicoide.kinematics.robot import Robot
 
 ARC_POINTS = 25
@@ -42,12 +42,13 @@ class DhParts(NamedTuple):
         return self.theta, self.d, self.a, self.alpha
 
 
-def dh_parts(robot: Robot, q: Array, radius: float) -> list[DhParts]:
-    """The parts of each DH row at q (n,), rad or m, by the convention of the robot; radius of the arcs, m.
+def dh_parts(robot: Robot, q: Array, frames: Sequence[Array], radius: float) -> list[DhParts]:
+    """The parts of each DH row at q (n,), rad or m, by the convention of the robot.
 
     The rotation β of Hayati, between nearly parallel axes, is not drawn.
+    Args: frames: those of `forward.dh_frames` at q, (4, 4) each, m; radius of the arcs, m.
     """
-    frames, parts_of = dh_frames(robot, q), _standard if robot.dh.convention == "standard" else _modified
+    parts_of = _standard if robot.dh.convention == "standard" else _modified
     values = joint_positions(robot.chain, q).tolist()
     parts = []
     for k, (row, joint, value) in enumerate(zip(robot.dh.rows, robot.joints, values, strict=True)):

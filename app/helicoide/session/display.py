@@ -59,6 +59,7 @@ class Display:
         self.recent: deque[State] = deque()  # the states that were drawn in the last seconds, for a clip
         self.news = asyncio.Event()  # set when rows may be out of date
         self._moved = asyncio.Event()  # set when the scene may be out of date
+        self._again: asyncio.TimerHandle | None = None  # of the next frame, if a layer moves by itself
         self._putting_up = asyncio.Lock()
         self._scene: Scene | None = None
         self._drawn: tuple[Robot | None, object] = (None, None)
@@ -71,6 +72,8 @@ class Display:
 
     def close(self) -> None:
         """End both tasks."""
+        if self._again is not None:
+            self._again.cancel()
         for task in self._tasks:
             task.cancel()
 
@@ -135,14 +138,18 @@ class Display:
         assert self._scene is not None
         with self.audience.atomic():
             self._scene.update(View(state, NOBODY))
+        moves = False
         for window in tuple(self.windows):
             if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
                 self.supply(view)
-                if any_moves(view):
-                    asyncio.get_running_loop().call_later(MOVES, self._moved.set)
+                moves = moves or any_moves(view)
             window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
+        if self._again is not None:
+            self._again.cancel()
+        if moves:
+            self._again = asyncio.get_running_loop().call_later(MOVES, self._moved.set)
 
     def _remember(self, state: State) -> None:
         """Keep a state for a clip; those of another robot, or of a time that did not lead here, are dropped."""

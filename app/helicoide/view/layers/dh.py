@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kinematics.dh_parts import DhParts, dh_parts
 from helicoide.kinematics.forward import dh_frames
+from helicoide.state import State
 from helicoide.text import Language, Text
 from helicoide.view.figures import BLUE, GREEN, ORANGE, PURPLE, FrameSet, Names, Segments, polyline
 from helicoide.view.layers import Stage
@@ -53,17 +56,37 @@ class DhLayer(OptionalLayer):
 
     def draw(self, view: View) -> None:
         """Draw frames and parts."""
-        robot, q, size = self.stage.robot, view.state.arm.q, self.stage.size
-        self.frames.write(np.array(dh_frames(robot, q)))
-        rows = dh_parts(robot, q, RADIUS * size)
-        for place, lines in enumerate(self.parts.values()):
-            drawn = [polyline(row.drawn[place]) for row in rows if abs(row.values[place]) > NOTHING]
-            lines.write(np.concatenate([np.zeros((0, 2, 3)), *drawn]))
-        named = [_named(row, n + 1, view.seat.language) for n, row in enumerate(rows)]
-        self.names.write([text for row in named for text, _ in row], [at for row in named for _, at in row])
+        drawing = _drawing(view.state, self.stage.size, view.seat.language)
+        self.frames.write(drawing.frames)
+        for lines, segments in zip(self.parts.values(), drawing.segments, strict=True):
+            lines.write(segments)
+        self.names.write(drawing.texts, drawing.places)
 
 
-def _named(row: DhParts, n: int, language: Language) -> list[tuple[str, np.ndarray]]:
+class _Drawing(NamedTuple):
+    """The poses of the frames (m + 1, 4, 4), m; the segments of θ, d, a and α (k, 2, 3), m; the texts and places."""
+
+    frames: Array
+    segments: list[Array]
+    texts: list[str]
+    places: list[Array]
+
+
+@lru_cache(maxsize=4)
+def _drawing(state: State, size: float, language: Language) -> _Drawing:
+    """What is drawn for a state. Cached, as windows of one language and size share it."""
+    robot, q = state.robot, state.arm.q
+    frames = dh_frames(robot, q)
+    rows = dh_parts(robot, q, frames, RADIUS * size)
+    segments = []
+    for place in range(len(COLOURS)):
+        drawn = [polyline(row.drawn[place]) for row in rows if abs(row.values[place]) > NOTHING]
+        segments.append(np.concatenate([np.zeros((0, 2, 3)), *drawn]))
+    named = [one for n, row in enumerate(rows) for one in _named(row, n + 1, language)]
+    return _Drawing(np.array(frames), segments, [text for text, _ in named], [at for _, at in named])
+
+
+def _named(row: DhParts, n: int, language: Language) -> list[tuple[str, Array]]:
     """The names of the parts of row n that are not zero, each at the middle of its part."""
     named = []
     for symbol, part, value in zip(COLOURS, row.drawn, row.values, strict=True):

@@ -38,9 +38,9 @@ def recordings_folder() -> Path:
 
 
 def new_path(robot: Robot, now: datetime) -> Path:
-    """A file that does not exist yet, named by the robot and the time."""
+    """A file that does not exist yet, named by the time and the robot."""
     name = re.sub(r"[^\w-]+", "_", robot.name)[:60]
-    stem, number = f"{name}_{now:%Y-%m-%d_%H-%M-%S}", 1
+    stem, number = f"{now:%Y-%m-%d_%H-%M-%S}_{name}", 1
     while (path := recordings_folder() / f"{stem}{f'_{number}' if number > 1 else ''}.mcap").exists():
         number += 1
     return path

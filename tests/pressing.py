@@ -19,6 +19,7 @@ from helicoide.kinematics import workspace
 from helicoide.kinematics.library import load_robot
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.enclosure_reading import available_readings, camera_cloud, plane_in_cloud
+from helicoide.readout.signals import signals_of
 from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
 from helicoide.session.planning import plan_motion
@@ -114,6 +115,8 @@ class Lab:
         for layer in self.layers:
             layer.update(self.shown, view)
         self.shown = view
+        for signal in signals_of(self.state).values():
+            signal.read(self.state)
         for row in leaves(self.panels, view):
             match row:
                 case HtmlRow():

@@ -18,6 +18,7 @@ from helicoide.view.signal_rows import with_choice
 
 # Pixels of a chart's canvas that have about a colour.
 COUNT = """([chart, red, green, blue]) => { const canvas = document.querySelectorAll('.uplot canvas')[chart];
+  if (!canvas?.width) return 0;
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height); let found = 0;
   for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 20 &&
     Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue) < 40; return found }"""

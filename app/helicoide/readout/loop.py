@@ -48,7 +48,7 @@ FILTER = Text(en="filter Θ", pt_BR="filtro Θ")
 PLANES, OBSTACLES = Text(en="planes", pt_BR="planos"), Text(en="obstacles", pt_BR="obstáculos")
 SHAFT = Text(en="shaft in its entry point", pt_BR="haste no ponto de entrada")
 ENTRY = Text(en="entry point", pt_BR="ponto de entrada")
-SPEEDS = Text(en="speed limits", pt_BR="limites")
+SPEEDS = Text(en="speed limits", pt_BR="limites de velocidade")
 
 
 def control_loop(state: State) -> tuple[LoopBlock, ...]:
@@ -73,7 +73,7 @@ def _with_known(block: LoopBlock, known: frozenset[str]) -> LoopBlock:
 
 
 def _blocks(state: State) -> tuple[LoopBlock, ...]:
-    step = LoopBlock(STEP, "lower ≤ A Δq ≤ upper", "q̇", ("speed",), _around(state))
+    step = LoopBlock(STEP, "b₋ ≤ A Δq ≤ b₊", "q̇", ("speed",), _around(state))
     if isinstance(state.request.command, MoveToJoints):
         return (
             LoopBlock(JOINT_ERROR, "e = q_d − q", "e"),
@@ -106,7 +106,7 @@ def _method(state: State) -> tuple[LoopBlock, ...]:
         return (LoopBlock(title, equation, "q̇", ("asked speed",), tuple(sides)),)
     return (
         LoopBlock(title, "u = B (ν − J_c v_rd)", "u", (), tuple(sides)),
-        LoopBlock(SHAFT, "V = Λ# v + Λ† v_rd,  q̇ = J_i† V", "q̇"),
+        LoopBlock(SHAFT, "V = Λ# v + Λ† v_rd", "q̇"),
     )
 
 

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator
 from functools import lru_cache
 
 import numpy as np
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from helicoide.readout.loop import LoopBlock, SideBlock, control_loop
 from helicoide.readout.signals import signals_of
 from helicoide.state import State
-from helicoide.text import Language, Text, number_text
+from helicoide.text import Language, Text, join_texts, number_text
 from helicoide.view.rows import View
 
 # Lengths in units of the drawing, which is as wide as the panel.
-WIDTH, LEFT, BLOCK, SIDE_LEFT, SIDE, RETURN = 340, 6, 196, 224, 98, 333
+WIDTH, LEFT, BLOCK, SIDE_LEFT, SIDE, RETURN = 344, 4, 186, 210, 120, 338
 LINE, PADDING, ARROW = 17, 7, 30
-CHARACTERS, SIDE_CHARACTERS, DIGITS = 29, 14, 3
+CHARACTERS, SIDE_CHARACTERS, DIGITS = 23, 16, 3
+TINY = 1e-9  # a value nearer to zero is written as 0
 MIDDLE = LEFT + BLOCK // 4
 
 LOOP = Text(en="Control loop", pt_BR="Malha de controle")
@@ -30,6 +32,7 @@ DRAWING = Markup(
 BOX = Markup("<rect class='box' x='{}' y='{}' width='{}' height='{}' rx='4'/>")
 WORDS = Markup("<text x='{}' y='{}' class='{}'>{}</text>")
 PATH = Markup("<path class='line' d='{}' marker-end='url(#helicoide-tip)'/>")
+SUBSCRIPT = Markup("<tspan dy='3' class='subscript'>{}</tspan><tspan dy='-3'>{}</tspan>")
 PRESSED = Markup("<g data-helicoide-press='{}'>{}</g>")
 
 
@@ -67,7 +70,7 @@ def _drawn_block(state: State, block: LoopBlock, top: int, language: Language) -
     parts = [BOX.format(LEFT, top, BLOCK, height)]
     for i, line in enumerate(lines, 1):
         parts.append(WORDS.format(LEFT + 8, top + i * LINE + 2, "title", line))
-    parts.append(WORDS.format(LEFT + 8, top + (len(lines) + 1) * LINE + 2, "equation", block.equation))
+    parts.append(WORDS.format(LEFT + 8, top + (len(lines) + 1) * LINE + 2, "equation", _typeset(block.equation)))
     at = top
     for (side, words), tall in zip(sides, heights, strict=True):
         parts += _drawn_side(state, side, words, (at, tall), language)
@@ -96,7 +99,7 @@ def _arrow(state: State, block: LoopBlock, edges: tuple[int, int], first: int, l
         yield PATH.format(f"M{MIDDLE} {bottom}V{bottom + height - 4}H{RETURN}V{first}H{LEFT + BLOCK + 2}")
     else:
         yield PATH.format(f"M{MIDDLE} {bottom}V{bottom + height - 1}")
-    yield WORDS.format(MIDDLE - 10, bottom + 19, "symbol", block.symbol)
+    yield WORDS.format(MIDDLE - 10, bottom + 19, "symbol", _typeset(block.symbol))
     for i, name in enumerate(block.signals):
         yield _number(state, name, (MIDDLE + 8, bottom + 19 + i * LINE), language)
 
@@ -106,7 +109,8 @@ def _number(state: State, name: str, place: tuple[int, int], language: Language)
     signal = signals_of(state)[name]
     values = signal.read(state)
     shown = "–" if np.isnan(values).all() else _values(values, signal.unit)[language]
-    words = WORDS.format(*place, "number", f"{'' if len(values) > 2 else signal.symbol + ' = '}{shown}")
+    named = "" if len(values) > 2 else f"{signal.symbol} = "
+    words = WORDS.format(*place, "number", _typeset(named) + shown)
     return PRESSED.format(signal.title[language], words)
 
 
@@ -114,7 +118,13 @@ def _values(values: np.ndarray, unit: str) -> Text:
     """Up to two values; of more, the least and the largest."""
     finite = values[np.isfinite(values)]
     few = [finite.min(), finite.max()] if len(finite) > 2 else finite[-1:]
-    said = [number_text(float(value), f".{DIGITS}g") for value in few]
-    return Text(
-        en=" … ".join(text.en for text in said) + f" {unit}", pt_BR=" … ".join(text.pt_BR for text in said) + f" {unit}"
-    )
+    said = [number_text(float(value) if abs(value) > TINY else 0.0, f".{DIGITS}g") for value in few]
+    text = join_texts(said, " … ")
+    return Text(en=f"{text.en} {unit}".replace("-", "−"), pt_BR=f"{text.pt_BR} {unit}".replace("-", "−"))
+
+
+def _typeset(words: str) -> Markup:
+    """Words with letters after an underscore as subscripts."""
+    first, *rest = re.split(r"_(\w+)", words)
+    lowered = (SUBSCRIPT.format(low, after) for low, after in zip(rest[::2], rest[1::2], strict=True))
+    return escape(first) + Markup("").join(lowered)

@@ -7,11 +7,10 @@ from functools import partial
 from markupsafe import Markup
 
 from helicoide.readout.loop import loop_signals
-from helicoide.readout.signals import signals_of
 from helicoide.text import Text
 from helicoide.view.loop_diagram import LOOP, loop_diagram
 from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, ForSeat, HtmlRow, Row, View
-from helicoide.view.signal_rows import with_choice, with_signal
+from helicoide.view.signal_rows import chart_titles, with_choice, with_signal
 
 SHOW = Text(en="Show the diagram", pt_BR="Mostrar o diagrama")
 ADD = Text(en="Add a signal of the loop to the charts", pt_BR="Acrescentar um sinal da malha aos gráficos")
@@ -36,8 +35,8 @@ def loop_rows() -> Folder:
 
 def _on_arrows(view: View) -> Named:
     """The name and the title of each signal on the arrows."""
-    known = signals_of(view.state)
-    return tuple((name, known[name].title) for name in loop_signals(view.state))
+    titles = chart_titles(view)
+    return tuple((name, titles[name]) for name in loop_signals(view.state)) if titles else ()
 
 
 def _buttons(named: Named) -> list[Row]:

@@ -12,7 +12,6 @@ from viser import Icon
 from helicoide.export.history_csv import history_csv
 from helicoide.readout.signals import needed_signals, phase_planes, signal_groups, signals_of
 from helicoide.seat import Seat
-from helicoide.state import State
 from helicoide.text import Text, join_texts, untranslated
 from helicoide.view import html
 from helicoide.view.rows import Button, Checkbox, Dropdown, Folder, ForSeat, HtmlRow, Plot, Row, Save, View
@@ -110,7 +109,7 @@ def _name(group: object) -> str:
 
 def _groups(view: View) -> list[tuple[str, Text]]:
     """The groups that have signals for this arm, none, and, if it is so, an own choice."""
-    known = signals_of(view.state)
+    known = chart_titles(view)
     groups = [(_name(group), group.TITLE) for group in signal_groups() if any(name in known for name in group.PRESET)]
     own = [("own", CUSTOM)] if _group(view) == "own" else []
     return [("", NONE), *groups, *own]
@@ -119,9 +118,9 @@ def _groups(view: View) -> list[tuple[str, Text]]:
 def _group(view: View) -> str:
     """The group that is shown, "" for none, "own" for another choice."""
     shown = tuple(name for name in view.seat.charts.shown if name)
-    if not shown:
+    known = chart_titles(view)
+    if not shown or not known:
         return ""
-    known = signals_of(view.state)
     groups = (group for group in signal_groups() if any(name in known for name in group.PRESET))
     return next((_name(group) for group in groups if shown == group.PRESET), "own")
 
@@ -132,19 +131,21 @@ def _picker(index: int) -> Dropdown:
     def chosen(view: View) -> str:
         shown = view.seat.charts.shown
         name = shown[index] if index < len(shown) else ""
-        return name if name in chart_titles(view.state) else ""
+        return name if name in chart_titles(view) else ""
 
     return Dropdown(
         CHART.format(n=index + 1),
-        lambda view: [("", NONE), *chart_titles(view.state).items()],
+        lambda view: [("", NONE), *chart_titles(view).items()],
         chosen,
         lambda name: ForSeat(lambda seat: with_chart(seat, index, name)),
     )
 
 
-def chart_titles(state: State) -> dict[str, Text]:
-    """The title of every signal and phase plane, by name."""
-    signals = {name: signal.title for name, signal in signals_of(state).items()}
+def chart_titles(view: View) -> dict[str, Text]:
+    """The title of every signal and phase plane, by name; none until the kernels are compiled, which find them."""
+    if not view.ready:
+        return {}
+    signals = {name: signal.title for name, signal in signals_of(view.state).items()}
     return {**signals, **{name: phase.title for name, phase in phase_planes().items()}}
 
 
@@ -162,7 +163,7 @@ def _note(view: View) -> Markup:
 
 def _undefined(view: View, shown: Sequence[str]) -> list[Text]:
     """The titles of the chosen charts without a value at the last sample."""
-    titles, phases, values = chart_titles(view.state), phase_planes(), view.history.values
+    titles, phases, values = chart_titles(view), phase_planes(), view.history.values
 
     def is_blank(name: str) -> bool:
         needs = (phases[name].across, phases[name].up) if name in phases else (name,)

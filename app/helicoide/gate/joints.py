@@ -18,7 +18,10 @@ NO_PARKING = Text(
     en="This arm has no planes, so there is nothing to park for.",
     pt_BR="Este braço não tem planos, portanto não precisa estacionar.",
 )
-
+COUNT = Text(
+    en="The posture does not fit: {robot} has {n} joint values.",
+    pt_BR="A postura não serve: {robot} tem {n} valores de junta.",
+)
 IN_THE_WAY = Text(
     en="Parking does not check for obstacles: remove them first.",
     pt_BR="O estacionamento não verifica obstáculos: remova-os antes.",
@@ -49,7 +52,10 @@ def set_joints(q: ArrayLike) -> Update:
     """Set the targets of all joints, (n,), rad or m. Refused if one is outside its limits."""
 
     def change(state: State) -> State:
-        values, limits = finite(q, (len(state.arm.q),)), state.problem.limits
+        n, limits = len(state.arm.q), state.problem.limits
+        if np.shape(q) != (n,):
+            raise HelicoideError(COUNT.format(robot=state.robot.title, n=n))
+        values = finite(q, (n,))
         outside = (values < limits.lower - ROUNDED) | (values > limits.upper + ROUNDED)
         if outside.any():
             raise HelicoideError(_outside(state, int(outside.argmax())))

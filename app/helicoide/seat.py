@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Literal
-
-import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
@@ -18,6 +17,7 @@ from helicoide.sheet import Sheet
 from helicoide.text import Language
 
 SMALLEST_AXIS = 1e-9  # length below which three numbers give no direction
+LARGEST_ANGLE = 4 * math.pi
 
 SelectionKind = Literal["tool", "target", "link", "joint", "plane", "point", "frame", "entry", "path"]
 ShownAlgebra = Literal["Cl(0,3,1)", "Cl(3,0,1)"]
@@ -41,6 +41,11 @@ class Notation:
     euler: str = "zyx"
 
 
+def is_finite_number(value: object) -> bool:
+    """Whether a value, as a page may send it, is a finite number."""
+    return isinstance(value, int | float) and math.isfinite(value)
+
+
 @dataclass(frozen=True)
 class AxisAngle:
     """A rotation by an angle, rad, about an axis (not zero)."""
@@ -50,11 +55,14 @@ class AxisAngle:
 
     def about(self, axis: tuple[float, float, float]) -> AxisAngle:
         """The same angle about another axis, scaled to length one; unchanged if the numbers give no direction."""
-        length = float(np.linalg.norm(axis))
-        if not (np.isfinite(length) and length > SMALLEST_AXIS):
+        if not all(map(is_finite_number, axis)) or (length := math.hypot(*axis)) < SMALLEST_AXIS:
             return self
-        x, y, z = (float(value) / length for value in axis)
-        return replace(self, axis=(x, y, z))
+        x, y, z = (value / length for value in axis)
+        return replace(self, axis=(x, y, z)) if math.isfinite(length) else self
+
+    def turned_by(self, angle: float) -> AxisAngle:
+        """Another angle, rad, about the same axis; unchanged unless it is a number of at most two turns."""
+        return replace(self, angle=float(angle)) if is_finite_number(angle) and abs(angle) < LARGEST_ANGLE else self
 
 
 @dataclass(frozen=True)
@@ -74,6 +82,10 @@ class Playground:
         """The quaternions of the two rotations, wxyz (4,), the first with the chosen sign."""
         p, q = (rotation.from_axis_angle(one.axis, one.angle) for one in (self.first, self.second))
         return -p if self.opposite else p, q
+
+    def at(self, t: float) -> Playground:
+        """The same rotations at another fraction of the way, 0 to 1; unchanged unless it is one."""
+        return replace(self, t=float(t)) if is_finite_number(t) and 0 <= t <= 1 else self
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,16 @@ import numpy as np
 import pytest
 from PIL import Image, ImageChops
 from playwright.sync_api import Page
-from tests.browser.lab import Lab, pixels, press, tab, until
+from tests.browser.lab import Lab, pixels, press, speak, tab, until
+from tests.browser.test_readable import remaining
 
 from helicoide import gate, readout
 from helicoide.arrays import Array
 from helicoide.command import MoveToPose
 from helicoide.seat import Seat, Selection
+from helicoide.text import LANGUAGES, Language
+from helicoide.view import code_rows, pose_form_rows, term_rows
+from helicoide.view.panels import algebra
 
 VISIBLE = "(name) => window.__viserMutable.nodeRefFromName[name]?.visible === true"
 
@@ -185,3 +189,20 @@ def test_the_quaternion_playground(lab: Lab, page: Page) -> None:
     assert abs(np.dot(before, page.evaluate(frame))) == pytest.approx(1.0, abs=1e-5)
     page.get_by_label("Show beside the arm").click()
     until(page, lambda: not page.evaluate(VISIBLE, "/playground"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_inspected_object_can_be_read(lab: Lab, page: Page, language: Language) -> None:
+    """Sizes and contrasts of all that the inspector shows, with its folders open."""
+    inspect(lab, page, Selection("tool"), "e1e")
+    speak(lab, page, language)
+    tab(page, algebra.TITLE[language])
+    titles = [title[language] for title in (algebra.MEANINGS, pose_form_rows.TITLE, term_rows.TITLE, code_rows.TITLE)]
+    for title in titles:
+        page.get_by_text(title, exact=True).click()
+    try:
+        assert remaining(page, False) == []
+    finally:
+        for title in titles:
+            page.get_by_text(title, exact=True).click()
+        speak(lab, page, "en")

@@ -14,6 +14,7 @@ from helicoide.readout.roles import Part, Role, role_of
 from helicoide.text import Text
 
 AXES = "xyz"
+NO_SLIDE = 1e-5  # a translation smaller than this, m, is not mentioned
 ZERO = Text(en="always 0 for this kind of object", pt_BR="sempre 0 para este tipo de objeto")
 OPPOSITE = Text(
     en="{said} In this notation it has the opposite sign.",
@@ -60,10 +61,10 @@ _WORDS: dict[Part, Text] = {
         pt_BR="Cosseno da metade do ângulo de rotação: cos(φ/2) = cos {half}°; a rotação é φ = {angle}°.",
     ),
     "sine": Text(
-        en="{axis} component of the direction of the screw axis, times the sine of half the angle: "
-        "n = {component}, times sin {half}° = {sine}.",
-        pt_BR="Componente {axis} da direção do eixo helicoidal, vezes o seno da metade do ângulo: "
-        "n = {component}, vezes sen {half}° = {sine}.",
+        en="{axis} component of the direction of the screw axis, {component}, times the sine of half the angle, "
+        "sin {half}° = {sine}.",
+        pt_BR="Componente {axis} da direção do eixo helicoidal, {component}, vezes o seno da metade do ângulo, "
+        "sen {half}° = {sine}.",
     ),
     "dual": Text(
         en="Says where the axis is. It is the {axis} component of the moment of the axis (lever arm from the origin × "
@@ -80,6 +81,12 @@ _WORDS: dict[Part, Text] = {
         "{sine}. É 0 se o movimento é só uma rotação.",
     ),
 }
+ROTATED = Text(
+    en="Says where the axis is. It is the {axis} component of the moment of the axis (lever arm from the origin × "
+    "direction), {moment} mm, times sin {half}°.",
+    pt_BR="Diz onde está o eixo. É a componente {axis} do momento do eixo (braço de alavanca desde a origem × "
+    "direção), {moment} mm, vezes sen {half}°.",
+)
 TRANSLATED = Text(
     en="Half the {axis} component of the translation, {way} mm: the motion does not turn.",
     pt_BR="Metade da componente {axis} da translação, {way} mm: o movimento não gira.",
@@ -128,7 +135,8 @@ def _of_motor(screw: ScrewDisplacement, role: Role) -> Text:
         way = 1000 * float((screw.displacement * screw.direction)[i])
         return TRANSLATED.format(axis=AXES[i], way=_number(way, 1))
     half = float(screw.angle) / 2
-    return _WORDS[role.part].format(
+    rotates = role.part == "dual" and abs(float(screw.displacement)) < NO_SLIDE
+    return (ROTATED if rotates else _WORDS[role.part]).format(
         axis=AXES[i],
         half=_number(float(np.degrees(half)), 2),
         angle=_number(float(np.degrees(2 * half)), 2),

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from markupsafe import Markup
 
 from helicoide.geometry import rotation
 from helicoide.geometry.quaternion_paths import lerp, lerp_speed, slerp, slerp_speed
-from helicoide.seat import AxisAngle
+from helicoide.seat import AxisAngle, Playground
 from helicoide.text import Text, number_text
 from helicoide.view.layers import playground as layer
 from helicoide.view.pose_form_rows import quaternion_words
@@ -59,29 +59,31 @@ def playground_rows() -> Folder:
         ),
         HtmlRow(lambda view: Markup("<p class='helicoide-note'>{}</p>").format(ABOUT[view.seat.language])),
         *_rotation_rows("q₁", lambda view: view.seat.playground.first, _first),
-        Checkbox(OPPOSITE, lambda view: view.seat.playground.opposite, lambda on: _changed(opposite=on)),
+        Checkbox(
+            OPPOSITE,
+            lambda view: view.seat.playground.opposite,
+            lambda on: _changed(lambda play: replace(play, opposite=bool(on))),
+        ),
         *_rotation_rows("q₂", lambda view: view.seat.playground.second, _second),
-        Slider(WAY, 0.0, 1.0, 0.01, lambda view: view.seat.playground.t, lambda t: _changed(t=float(t))),
+        Slider(WAY, 0.0, 1.0, 0.01, lambda view: view.seat.playground.t, lambda t: _changed(lambda play: play.at(t))),
         HtmlRow(_words),
     ]
     return Folder(TITLE, rows, open=False)
 
 
-def _changed(**values: Any) -> PageRequest:
-    return ForSeat(lambda seat: replace(seat, playground=replace(seat.playground, **values)))
+def _changed(change: Callable[[Playground], Playground]) -> PageRequest:
+    return ForSeat(lambda seat: replace(seat, playground=change(seat.playground)))
 
 
 Change = Callable[[Callable[[AxisAngle], AxisAngle]], PageRequest]
 
 
 def _first(change: Callable[[AxisAngle], AxisAngle]) -> PageRequest:
-    return ForSeat(lambda seat: replace(seat, playground=replace(seat.playground, first=change(seat.playground.first))))
+    return _changed(lambda play: replace(play, first=change(play.first)))
 
 
 def _second(change: Callable[[AxisAngle], AxisAngle]) -> PageRequest:
-    return ForSeat(
-        lambda seat: replace(seat, playground=replace(seat.playground, second=change(seat.playground.second)))
-    )
+    return _changed(lambda play: replace(play, second=change(play.second)))
 
 
 def _rotation_rows(name: str, of: Callable[[View], AxisAngle], change: Change) -> list[Row]:
@@ -97,7 +99,7 @@ def _rotation_rows(name: str, of: Callable[[View], AxisAngle], change: Change) -
             360.0,
             1.0,
             lambda view: float(np.degrees(of(view).angle)),
-            lambda degrees: change(lambda one: replace(one, angle=float(np.radians(degrees)))),
+            lambda degrees: change(lambda one: one.turned_by(math.pi / 180 * degrees)),
         ),
     ]
 

@@ -31,6 +31,7 @@ SAID = Text(
 FIRST, SECOND, SLERP, LERP, BALL = (0, 114, 178), (0, 158, 115), (0, 114, 178), (213, 94, 0), (150, 150, 160)
 RADIUS, LEFT, UP = 0.26, -0.75, 0.45  # × size, m: radius of the ball, and where its centre is
 STEPS, DOTS = 48, 10
+SAME = 1 - 1e-12  # |q·p| above which q and p are the same rotation
 OFFSETS = {"q₁q₂": -0.22, "q₂q₁": 0.22}  # of the two products from the ball's centre, × size, m
 
 
@@ -103,7 +104,10 @@ def _turned(wxyz: Array) -> SeatUpdate:
     """The first rotation as the gizmo shows it."""
 
     def update(seat: Seat) -> Seat:
-        axis, angle = rotation.axis_angle(wxyz / np.linalg.norm(wxyz))
+        length = float(np.linalg.norm(wxyz))
+        if not (np.isfinite(length) and length > 0):
+            return seat
+        axis, angle = rotation.axis_angle(wxyz / length)
         x, y, z = axis.tolist()
         first = AxisAngle((x, y, z), float(angle))
         return replace(seat, playground=replace(seat.playground, first=first, opposite=False))
@@ -146,7 +150,8 @@ class PlaygroundLayer:
         for name, end in zip(nodes.names, ends, strict=True):
             name.position = r * end
         nodes.axis.points = r * np.array([[np.zeros(3), play.first.axis]], dtype=np.float32)
-        nodes.gizmo.wxyz = p if p[0] >= 0 else -p
+        if abs(float(nodes.gizmo.wxyz @ p)) < SAME:  # during a drag, writing it would lose the end of the drag
+            nodes.gizmo.wxyz = p
         nodes.turned.wxyz = slerp(p, q, play.t)
         for frame, product in zip(nodes.products, rotation.multiply(np.array([p, q]), np.array([q, p])), strict=True):
             frame.wxyz = product

@@ -54,6 +54,7 @@ def test_a_reader_of_both_outputs_may_go_too() -> None:
 
 
 EVERY_COMMAND = [
+    ("eval", "distance(point(0,0,0), plane(0,0,1,2))"),
     ("--help",),
     ("doctor",),
     ("fk", "puma560", "--q", *"000000"),

@@ -62,7 +62,7 @@ def test_an_error_points_at_its_character(evaluated: Evaluated) -> None:
     assert (line, caret) == ("1 + jion(p, p)", "    ^^^^")
 
 
-@pytest.mark.parametrize("arguments", [("a",), ("e1", "--q", "0"), ("M_tool",), ("e1" * 300,)])
+@pytest.mark.parametrize("arguments", [(), ("a",), ("e1", "--q", "0"), ("M_tool",), ("e1" * 300,)])
 def test_wrong_input_ends_with_2(evaluated: Evaluated, arguments: tuple[str, ...]) -> None:
     out, err, code = evaluated(*arguments)
     assert (out, code) == ("", 2)

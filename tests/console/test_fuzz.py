@@ -7,7 +7,7 @@ import random
 import pytest
 from tests.console.lines import HOSTILE, fuzzed
 
-from helicoide.console import sheet_results, value_latex, value_text
+from helicoide.console import kind_of, sheet_results, value_latex, value_text
 from helicoide.console.evaluate import MOST_WORK, Budget
 from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS
 from helicoide.geometry.multivector import Multivector
@@ -46,6 +46,7 @@ def check(line: str, state: State) -> bool:
         assert result.error.text.pt_BR
     if result.value is None:
         return False
+    assert kind_of(result.value).title.pt_BR
     assert type(result.value) in (float, Multivector)
     if isinstance(result.value, Multivector):
         assert result.value.algebra in (CL031, PGA, QUATERNIONS)
@@ -64,6 +65,6 @@ def test_generated_lines_give_values_or_our_errors_within_the_bounds(state: Stat
     assert given > COUNT / 10
 
 
-@pytest.mark.parametrize("line", HOSTILE)
+@pytest.mark.parametrize("line", [*HOSTILE, "sin(1e+200*M_tool)", "sin(1e+200*(e12 + e3e))", "distance(1e+300*L1, e1)"])
 def test_hostile_lines_reach_nothing(line: str, state: State) -> None:
     check(line, state)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
@@ -10,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import viser
-from tests.console.lines import numbers, value
+from tests.console.lines import fuzzed, numbers, value
 from tests.console.test_scene_names import moved
 from tests.hostile import HARMLESS, NAMES, Page
 
@@ -22,7 +24,7 @@ from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.seat import Seat
 from helicoide.sheet import Sheet, SheetLine, entered, with_choice, with_entry_text, with_shown, without_line
 from helicoide.state import State, initial_state
-from helicoide.text import LANGUAGES, Language
+from helicoide.text import LANGUAGES, HelicoideError, Language
 from helicoide.view import layers
 from helicoide.view.console_rows import console_rows
 from helicoide.view.console_words import entry_help, result_list
@@ -115,6 +117,18 @@ def test_the_drawing_follows_the_arm_and_the_eye(server: viser.ViserServer, stat
     hidden = replace(third, seat=third.seat.with_layer(layer.NAME, False))
     drawn.update(third, hidden)
     assert not [node for nodes in drawn.nodes for node in nodes.values() if node.visible]
+
+
+def test_whatever_is_typed_is_drawn_or_left_out(server: viser.ViserServer, state: State) -> None:
+    drawn, source, old = built(server, state), random.Random(8), None
+    huge = ("1e+200*M_tool", "1e+200*L1", "point(1e+300, 0, 0)", "1e-11*L1", "1e+160*(e12 + e1e)", "e12/1e+100 + e3e")
+    for line in (*huge, *(fuzzed(source) for _ in range(400))):
+        with suppress(HelicoideError):
+            view = view_of(state, sheet_of(line))
+            drawn.update(old, view)
+            assert result_list(view)
+            old = view
+    assert len(drawn.nodes) == 1
 
 
 def test_nothing_is_drawn_before_the_kernels_are_ready(server: viser.ViserServer, state: State) -> None:

@@ -22,6 +22,11 @@ from helicoide.text import HelicoideError, Text, untranslated
 
 NO_ROBOT = Text(en="--q is for a robot: give one with --robot.", pt_BR="--q vale para um robô: dê um com --robot.")
 
+NO_LINES = Text(
+    en='Give at least one line, such as "distance(point(0,0,0), point(3,4,0))".',
+    pt_BR='Dê ao menos uma linha, como "distance(point(0,0,0), point(3,4,0))".',
+)
+
 
 @run_interpreted()
 def run(
@@ -43,6 +48,8 @@ def run(
         deg: values of turning joints are in degrees.
         json: print JSON.
     """
+    if not lines:
+        raise HelicoideError(NO_LINES)
     sheet = Sheet(tuple(SheetLine(line) for line in lines))
     results = sheet_results(sheet, _state(robot, q, deg), sliders=False)
     for line, result in zip(lines, results, strict=True):

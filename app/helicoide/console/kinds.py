@@ -84,11 +84,13 @@ def _of_coefficients(c: list[float]) -> KindName:
 def _of_bivector(c: list[float], zero: float) -> KindName:
     if max(map(abs, c[5:8])) <= zero:
         return "far_line"
-    return "line" if abs(c[7] * c[8] - c[6] * c[9] + c[5] * c[10]) <= ROUNDING * sum(x * x for x in c) else "screw"
+    largest = max(map(abs, c))  # squares of the coefficients themselves could overflow
+    xy, xz, yz, x, y, z = (number / largest for number in c[5:11])
+    return "line" if abs(yz * x - xz * y + xy * z) <= ROUNDING else "screw"
 
 
 def _of_even(c: list[float]) -> KindName:
     """A motor M has M M* = 1: its rotor is of size 1, and its dual part orthogonal to it."""
-    size = c[0] ** 2 + c[5] ** 2 + c[6] ** 2 + c[7] ** 2
+    size = c[0] * c[0] + c[5] * c[5] + c[6] * c[6] + c[7] * c[7]
     skew = c[7] * c[8] - c[6] * c[9] + c[5] * c[10] - c[0] * c[15]
-    return "motor" if abs(size - 1) <= ROUNDING and abs(skew) <= ROUNDING * max(map(abs, c)) ** 2 else "even"
+    return "motor" if abs(size - 1) <= ROUNDING and abs(skew) <= ROUNDING * max(map(abs, c)) else "even"

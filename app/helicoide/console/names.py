@@ -41,15 +41,20 @@ def reserved_value(name: str) -> Value | None:
     return CONSTANTS.get(name)
 
 
-def parsed_lines(sheet: Sheet) -> list[ParsedLine | ExpressionError | None]:
+def parsed_lines(sheet: Sheet) -> tuple[ParsedLine | ExpressionError | None, ...]:
     """Each line of a sheet, parsed: an error for one that cannot be read, None for a comment."""
+    return _parsed(tuple(line.text for line in sheet.lines))
+
+
+@lru_cache(maxsize=64)  # the sheets of a class
+def _parsed(texts: tuple[str, ...]) -> tuple[ParsedLine | ExpressionError | None, ...]:
     found: list[ParsedLine | ExpressionError | None] = []
-    for line in sheet.lines:
+    for text in texts:
         try:
-            found.append(parse_line(line.text))
+            found.append(parse_line(text))
         except ExpressionError as error:
             found.append(error)
-    return found
+    return tuple(found)
 
 
 def free_names(sheet: Sheet, of_the_scene: Collection[str]) -> tuple[str, ...]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 
 from helicoide.console.kinds import NOISE, ROUNDING
 from helicoide.console.values import Value
-from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS
+from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Algebra
 from helicoide.geometry.multivector import Multivector
 from helicoide.text import Language
 
@@ -23,6 +24,12 @@ BLADES = {
 UNITS = ("1", "i", "j", "k")
 
 
+@cache
+def _places(algebra: Algebra) -> list[tuple[str, int, int]]:
+    """Each blade with its place among the coefficients and its sign there."""
+    return [(name, *algebra.parse_blade(name)) for name in BLADES[algebra]]
+
+
 def value_terms(value: Value) -> list[tuple[float, str]]:
     """The numbers of a value with their units or blades, "1" for none; those lost in rounding are left out."""
     if not isinstance(value, Multivector):
@@ -30,7 +37,8 @@ def value_terms(value: Value) -> list[tuple[float, str]]:
     if value.algebra is QUATERNIONS:
         numbered = list(zip(value.values.tolist(), UNITS, strict=True))
     else:
-        numbered = [(value[name], name) for name in BLADES[value.algebra]]
+        numbers = value.values.tolist()
+        numbered = [(sign * numbers[place], name) for name, place, sign in _places(value.algebra)]
     zero = max(ROUNDING * max(abs(number) for number, _ in numbered), NOISE)
     return [(number, unit) for number, unit in numbered if abs(number) > zero]
 

@@ -61,7 +61,10 @@ def _elements(kinds: tuple[KindName, ...], wanted: Text, unit: bool = True) -> C
 def _of_unit_size(X: Array, kind: KindName) -> Array:
     if kind == "point":
         return np.asarray(X / X[11])
-    return np.asarray(X / CL031.norm(X)) if kind in ("line", "plane") else X
+    if kind not in ("line", "plane"):
+        return X
+    scaled = X / np.abs(X).max()  # the squares of its coefficients could overflow
+    return np.asarray(scaled / CL031.norm(scaled))
 
 
 def _take_number(value: Value) -> float:

@@ -53,7 +53,7 @@ def sheet_results(sheet: Sheet, state: State | None, sliders: bool = True) -> tu
 Parsed = ParsedLine | ExpressionError | None
 
 
-def _result(line: Parsed, below: list[Parsed], next_number: int, scope: Scope) -> LineResult:
+def _result(line: Parsed, below: tuple[Parsed, ...], next_number: int, scope: Scope) -> LineResult:
     if line is None:
         return LineResult()
     if isinstance(line, ExpressionError):
@@ -68,7 +68,7 @@ def _result(line: Parsed, below: list[Parsed], next_number: int, scope: Scope) -
         return LineResult(name, error=error)
 
 
-def _check_order(line: ParsedLine, below: list[Parsed], next_number: int, scope: Scope) -> None:
+def _check_order(line: ParsedLine, below: tuple[Parsed, ...], next_number: int, scope: Scope) -> None:
     """Raise ExpressionError for a name whose definition is the line itself, or one further down."""
     for part in references(line.expression):
         if part.name in scope.values or part.name in scope.scene:

@@ -21,6 +21,10 @@ NOTHING_MEETS = Text(
     en="these have no meet: two of them are the same, or lie in each other",
     pt_BR="eles não têm interseção definida: dois são iguais ou um está contido no outro",
 )
+LOST = Text(
+    en="one of these is no point, line or plane any more, by the rounding of its very large or small coefficients",
+    pt_BR="um deles já não é ponto, reta ou plano, pelo arredondamento de coeficientes grandes ou pequenos demais",
+)
 NO_DISTANCE = Text(
     en="there is no distance between planes that intersect; angle(A, B) gives their angle",
     pt_BR="não há distância entre planos que se cortam; angle(A, B) dá o ângulo entre eles",
@@ -141,7 +145,7 @@ def _distance(A: Array, B: Array) -> Value:
             return float(incidence.line_plane_distance(A, B))
         case "plane", "plane":
             return _between_planes(A, B)
-    return _distance(B, A)
+    return _distance(*_swapped(A, B))
 
 
 @console_function(
@@ -162,7 +166,7 @@ def _angle(A: Array, B: Array) -> Value:
         case "plane", "plane":
             (m, _), (n, _) = rigid.normal_and_offset(A), rigid.normal_and_offset(B)
             return float(np.arctan2(np.linalg.norm(np.cross(m, n)), m @ n))
-    return _angle(B, A)
+    return _angle(*_swapped(A, B))
 
 
 @console_function(
@@ -177,6 +181,13 @@ def _angle(A: Array, B: Array) -> Value:
 def _common_normal(K: Array, L: Array) -> Value:
     normal, _, _ = incidence.common_normal(K, L)
     return _not_zero(normal, NOTHING)
+
+
+def _swapped(A: Array, B: Array) -> tuple[Array, Array]:
+    """B and A, whose order is the one that is computed. Raises HelicoideError if it is not, either."""
+    if (_kind(B), _kind(A)) not in (("line", "point"), ("plane", "point"), ("line", "plane")):
+        raise HelicoideError(LOST)
+    return B, A
 
 
 def _joined(*elements: Array) -> Value:

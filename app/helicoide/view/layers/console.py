@@ -31,7 +31,7 @@ SAID = Text(
 
 COLOUR = (0, 137, 123)
 DRAWN = ("point", "line", "plane", "motor")
-FARTHEST = 1e4  # m; the scene draws nothing beyond
+FARTHEST, LARGEST = 1e4, 1e9  # m, and of a coefficient; the scene draws nothing beyond
 
 
 def build(stage: Stage) -> ConsoleResults:
@@ -62,7 +62,9 @@ class ConsoleResults:
         sheet = view.seat.sheet
         for n, (line, result) in enumerate(zip(sheet.lines, sheet_results(sheet, view.state), strict=True), 1):
             value = result.value
-            if line.shown and isinstance(value, Multivector) and (kind := kind_of(value).name) in DRAWN:
+            if not line.shown or not isinstance(value, Multivector) or np.abs(value.values).max() > LARGEST:
+                continue
+            if (kind := kind_of(value).name) in DRAWN:
                 pose = shape_pose(kind, value, self.middle)
                 if np.abs(pose).max() < FARTHEST:
                     yield kind, pose, result.name or str(n)

@@ -17,11 +17,11 @@ from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 from helicoide.readout.velocities import (
     balancing_torques,
-    jacobian_now,
     position_analysis,
     slow_directions,
     tool_twist,
     twist_axis,
+    world_jacobian,
     wrench_axis,
 )
 
@@ -40,7 +40,6 @@ __all__ = [
     "dimension_lines",
     "distance_product",
     "instruments",
-    "jacobian_now",
     "limited_by",
     "limiting",
     "method_modes",
@@ -57,6 +56,7 @@ __all__ = [
     "too_near",
     "tool_twist",
     "twist_axis",
+    "world_jacobian",
     "wrench_axis",
     "zones",
 ]

@@ -19,6 +19,12 @@ PROJECT_ALL = """(points) => {
     return [r.left + (v.x + 1) / 2 * r.width, r.top + (1 - v.y) / 2 * r.height];
   });
 }"""
+SHOWN = """(names) => names.map(name => {
+  let node = window.__viserMutable.nodeRefFromName[name];
+  if (!node) return false;
+  for (; node; node = node.parent) if (!node.visible) return false;
+  return true;
+})"""
 BETWEEN = np.linspace(0, 1, 61)[:, None]
 CHARACTER, LINE = 9.0, 34.0  # px: a character of a name and its height, with a margin
 
@@ -82,6 +88,12 @@ def visible(scene: viser.SceneApi, name: str) -> bool:
     nodes, parts = scene._handle_from_node_name, name.split("/")
     above = (nodes.get("/".join(parts[:end])) for end in range(2, len(parts) + 1))
     return all(node is None or node.visible for node in above)
+
+
+def seen_as_sent(page: Page, scene: viser.SceneApi) -> bool:
+    """Whether the page shows and hides every node as it was asked to; names have no node of their own on the page."""
+    names = [name for name, node in scene._handle_from_node_name.items() if not isinstance(node, viser.LabelHandle)]
+    return list(page.evaluate(SHOWN, names)) == [visible(scene, name) for name in names]
 
 
 def covered(page: Page, scene: viser.SceneApi, root: str, margin: float, shape: tuple[int, int]) -> Array:

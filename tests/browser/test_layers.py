@@ -9,7 +9,7 @@ from types import MappingProxyType, ModuleType
 import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
-from tests.browser.geometry import covered, world_points
+from tests.browser.geometry import covered, seen_as_sent, world_points
 from tests.browser.lab import Lab, box, pixels, press, tab, until
 from tests.browser.test_arms import canvas
 
@@ -26,6 +26,7 @@ from helicoide.view.rows import View
 
 DIFFERENT, FEWEST = 12, 20  # of 255 grey values, and pixels
 MARGIN = 22.0  # px: half of a thick line or arrow head, and a pixel of the screen at a resolution of a quarter
+TWO_FRAMES = "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 HERE = Text(en="here", pt_BR="aqui")
 Layer = ModuleType
 
@@ -95,7 +96,9 @@ def drawn(lab: Lab, page: Page, view: View) -> np.ndarray:
         window.client.flush()
 
     lab.session.loop.call_soon_threadsafe(draw)
-    page.wait_for_timeout(500)
+    page.wait_for_timeout(300)
+    until(page, lambda: seen_as_sent(page, window.client.scene))
+    page.evaluate(TWO_FRAMES)
     pictures = [canvas(page)]
     until(page, lambda: _rests(page, pictures))
     return pictures[-1]

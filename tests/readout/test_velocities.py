@@ -67,7 +67,7 @@ def test_unit_joint_velocities_give_velocities_on_or_in_the_ellipsoid(name: str)
     state = moving(name)
     units = np.array([state.robot.reach if joint.is_prismatic else 1.0 for joint in state.robot.variables])
     found = readout.position_analysis(state)
-    J = readout.jacobian_now(state)[:3] * units
+    J = readout.world_jacobian(state)[:3] * units
     sigma = np.linalg.svd(J, compute_uv=False)
     np.testing.assert_allclose(found.velocity_ellipsoid.lengths[: len(sigma)], sigma, rtol=0, atol=1e-9)
     kept = found.velocity_ellipsoid.lengths > 1e-9
@@ -89,7 +89,7 @@ def test_slow_directions_are_hardly_reached_and_missing_in_most_postures(name: s
         slow = readout.slow_directions(there)
         np.testing.assert_allclose(slow.T @ slow, np.eye(slow.shape[1]), rtol=0, atol=1e-9)
         scale = np.where([joint.is_prismatic for joint in robot.variables], robot.reach, 1.0)
-        J = readout.jacobian_now(there) * scale / np.array([robot.reach] * 3 + [1.0] * 3)[:, None]
+        J = readout.world_jacobian(there) * scale / np.array([robot.reach] * 3 + [1.0] * 3)[:, None]
         assert np.linalg.norm(slow.T @ J, axis=1).max(initial=0.0) < 0.2
 
 

@@ -24,11 +24,11 @@ from helicoide.readout.screws import DrawnScrew, drawn_screw
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 from helicoide.readout.velocities import (
     balancing_torques,
-    jacobian_now,
     position_analysis,
     slow_directions,
     tool_twist,
     twist_axis,
+    world_jacobian,
     wrench_axis,
 )
 
@@ -67,7 +67,6 @@ __all__ = [
     "forms_of_pose",
     "in_algebra",
     "instruments",
-    "jacobian_now",
     "joints_before",
     "limited_by",
     "limiting",
@@ -87,6 +86,7 @@ __all__ = [
     "too_near",
     "tool_twist",
     "twist_axis",
+    "world_jacobian",
     "wrench_axis",
     "zones",
 ]

@@ -17,14 +17,14 @@ from helicoide.state import State
 
 
 @lru_cache(maxsize=4)
-def jacobian_now(state: State) -> Array:
+def world_jacobian(state: State) -> Array:
     """The tool's Jacobian (6, n) in the world frame, rows vx vy vz ωx ωy ωz. Cached, as all windows share it."""
     return frozen(frame_jacobian(state.robot, state.arm.q))
 
 
 def tool_twist(state: State) -> Array:
     """The twist of the tool V = J q̇, (6,): v, m/s, of its origin, and ω, rad/s, world frame."""
-    return np.asarray(jacobian_now(state) @ state.arm.velocities)
+    return np.asarray(world_jacobian(state) @ state.arm.velocities)
 
 
 def twist_axis(state: State) -> CentralAxis | None:
@@ -47,14 +47,14 @@ def balancing_torques(state: State, wrench: ArrayLike) -> Array:
     The weight of the arm does not count. Args: wrench (6,): force, N, and moment about the origin of the tool, N·m,
     world frame. Source: Yoshikawa 1985, by virtual work.
     """
-    return np.asarray(-jacobian_now(state).T @ np.asarray(wrench, dtype=np.float64))
+    return np.asarray(-world_jacobian(state).T @ np.asarray(wrench, dtype=np.float64))
 
 
 @lru_cache(maxsize=4)
 def position_analysis(state: State) -> JacobianAnalysis:
     """Analysis of the position rows of J (3, n), m/s for 1 rad/s; a prismatic joint counts with a reach per second."""
     units = [state.robot.reach if joint.is_prismatic else 1.0 for joint in state.robot.variables]
-    return analyse_jacobian(jacobian_now(state)[:3] * units)
+    return analyse_jacobian(world_jacobian(state)[:3] * units)
 
 
 @lru_cache(maxsize=4)
@@ -66,7 +66,7 @@ def slow_directions(state: State, within: float = NEAR_SINGULAR) -> Array:
     """
     robot = state.robot
     size = 6 if counted_rows(robot, state.request.with_orientation)[3:].any() else 3
-    found = analyse_jacobian(in_reaches(robot, jacobian_now(state)[:size]))
+    found = analyse_jacobian(in_reaches(robot, world_jacobian(state)[:size]))
     usual = generic_rank(robot, size)
     slow = found.sigma[:usual] <= within * largest_singular_value(robot, size)
     directions = np.zeros((6, int(slow.sum())))

@@ -19,7 +19,7 @@ DISCARD = Text(en="Discard the planned motion", pt_BR="Descartar o movimento pla
 THE_PATH = Text(en="along the path", pt_BR="pela trajetória")
 ABOUT = Text(
     en="The motion is first shown by a ghost of the arm. The arm moves when you execute it.",
-    pt_BR="Primeiro um fantasma do braço mostra o movimento. O braço só se move quando você o executa.",
+    pt_BR="Primeiro um fantasma do braço mostra o movimento; o braço só se move quando você manda executar.",
 )
 PLANNED = Text(en="Planned: {title}, {seconds:.1f} s.", pt_BR="Planejado: {title}, {seconds:.1f} s.")
 LISTED = Text(en="posture {n} of the list", pt_BR="postura {n} da lista")

@@ -43,7 +43,7 @@ class ColumnsLayer(OptionalLayer):
 
     def draw(self, view: View) -> None:
         """Draw the arrows that have a length."""
-        J, tool = readout.jacobian_now(view.state), view.state.T_world_tool[:3, 3]
+        J, tool = readout.world_jacobian(view.state), view.state.T_world_tool[:3, 3]
         heads = tool + LINEAR * J[:3].T
         turns = tool + ANGULAR * self.stage.size * J[3:].T
         moves, rotates = (np.linalg.norm(part, axis=0) > 1e-9 for part in (J[:3], J[3:]))

@@ -7,11 +7,10 @@ from math import inf
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.goal import pose_of_tool
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.self_motion import freest_joint, self_motion_step
+from helicoide.kinematics.self_motion import Rows, freest_joint, self_motion_step
 from helicoide.text import Text
 from helicoide.view.figures import PURPLE
 from helicoide.view.layers import Stage
@@ -47,13 +46,15 @@ def moves(view: View) -> bool:
 
 
 class NullMotionLayer(OptionalLayer):
-    """The ghost: its joint values, the joint that it follows and the direction in which that moves."""
+    """The ghost: its joint values, the joint that it follows, None without a null space, and its sense."""
 
     def __init__(self, stage: Stage, name: str) -> None:
         super().__init__(stage, name)
         self.outline: Outline | None = None
-        self.begun: Array | None = None
-        self.q, self.joint, self.way, self.time = np.zeros(0), 0, 1.0, -inf
+        self.begun = self.q = np.zeros(0)
+        self.rows: Rows = np.zeros(0, dtype=bool)
+        self.joint: int | None = None
+        self.way, self.time = 1.0, -inf
 
     def depends(self, view: View) -> tuple[object, ...]:
         """Posture, whether the orientation counts, and the time."""
@@ -63,32 +64,25 @@ class NullMotionLayer(OptionalLayer):
         """Move the ghost on; it begins again where the arm is when the arm has moved."""
         state, robot = view.state, self.stage.robot
         rows = counted_rows(robot, state.request.with_orientation)
-        if self.begun is not state.arm.q or len(self.drawn) < 3 or self.drawn[2] is not state.request.with_orientation:
-            joint = freest_joint(robot, state.arm.q, rows)
-            self.begun, self.q, self.joint, self.way = state.arm.q, state.arm.q, -1 if joint is None else joint, 1.0
+        if self.begun is not state.arm.q or self.rows is not rows:
+            self.begun, self.rows, self.q, self.way = state.arm.q, rows, state.arm.q, 1.0
+            self.joint = freest_joint(robot, state.arm.q, rows)
         step = SPEED * min(max(view.time - self.time, 0.0), LONGEST_STEP)
         self.time = view.time
-        if self.outline is None and self.joint >= 0:
+        if self.outline is None and self.joint is not None:
             self.outline = Outline(self.stage, self.name, PURPLE)
-        if self.outline is None:
-            return
-        self.outline.show(self.joint >= 0)
-        if self.joint >= 0:
-            self._advance(robot, pose_of_tool(state.problem, state.arm.poses), rows, step)
-            self.outline.write(link_poses(robot.chain, self.q), state.arm.gripper)
+        if self.outline is not None:
+            self.outline.show(self.joint is not None)
+            if self.joint is not None:
+                self._advance(robot, state.T_world_tool, self.joint, step)
+                self.outline.write(link_poses(robot.chain, self.q), state.arm.gripper)
 
-    def _advance(self, robot: Robot, T_world_tool: Array, rows: np.ndarray, step: float) -> None:
+    def _advance(self, robot: Robot, T_world_tool: Array, joint: int, step: float) -> None:
         """One step; the ghost turns back at a joint limit and when its joint has moved far enough."""
-        q = self_motion_step(robot, self.q, T_world_tool, rows, self.joint, self.way * step)
-        assert self.begun is not None
-        far = abs(q[self.joint] - self.begun[self.joint]) > AMPLITUDE * _unit(robot, self.joint)
-        outward = (q[self.joint] - self.begun[self.joint]) * self.way > 0
+        q = self_motion_step(robot, self.q, T_world_tool, self.rows, joint, self.way * step)
+        away = float(q[joint] - self.begun[joint]) / (robot.reach if robot.variables[joint].is_prismatic else 1.0)
         outside = bool(((q < robot.lower) | (q > robot.upper)).any())
-        if outside or (far and outward):
+        if outside or away * self.way > AMPLITUDE:
             self.way = -self.way
         if not outside:
             self.q = q
-
-
-def _unit(robot: Robot, joint: int) -> float:
-    return robot.reach if robot.variables[joint].is_prismatic else 1.0

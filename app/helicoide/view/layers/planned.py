@@ -57,6 +57,7 @@ class PlannedLayer(OptionalLayer):
         self.outline: Outline | None = None
         self.way = Segments(stage, f"/{name}/way", SKY, 0.004)
         self.plan: Plan | None = None
+        self.path: JointSpline | None = None
         self.began = 0.0
 
     def depends(self, view: View) -> tuple[object, ...]:
@@ -68,13 +69,12 @@ class PlannedLayer(OptionalLayer):
         plan = view.state.plan
         if plan is not self.plan:
             self.plan, self.began = plan, view.time
+            self.path = None if plan is None else JointSpline(plan.times, plan.q)
             self.way.write(np.zeros((0, 2, 3)) if plan is None else polyline(planned_way(view.state, plan)))
         if self.outline is None and plan is not None:
             self.outline = Outline(self.stage, self.name, SKY)
         if self.outline is not None:
             self.outline.show(plan is not None)
-        if self.outline is not None and plan is not None:
-            end = float(plan.times[-1])
-            s = min((view.time - self.began) % (end + PAUSE), end)
-            q = JointSpline(plan.times, plan.q).q(s)
-            self.outline.write(link_poses(self.stage.robot.chain, q), view.state.arm.gripper)
+        if self.outline is not None and self.path is not None:
+            s = min((view.time - self.began) % (self.path.duration + PAUSE), self.path.duration)
+            self.outline.write(link_poses(self.stage.robot.chain, self.path.q(s)), view.state.arm.gripper)

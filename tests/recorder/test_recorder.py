@@ -9,6 +9,7 @@ import os
 import signal
 import subprocess
 import sys
+import types
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, BinaryIO, cast
@@ -236,4 +237,13 @@ def test_a_disk_that_does_not_keep_up_ends_the_recording(
     monkeypatch.setattr(recorder_module, "WAITING", 10)
     recorder = recorded(states, path)
     assert recorder.reason == recorder_module.SLOW
-    assert len(recorder._queue) <= 10
+    recorder.take(states[0])
+    assert not recorder._queue
+
+
+def test_a_tick_appends_to_a_deque_and_does_nothing_else(states: list[State], path: Path) -> None:
+    """No file, no lock, no call of Python's: what the clock calls is the deque's own method."""
+    recorder = Recorder(path, states[0])
+    assert recorder.take == recorder._queue.append
+    assert isinstance(recorder.take, types.BuiltinMethodType)
+    recorder.end(PATIENCE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from datetime import datetime
 from functools import lru_cache
@@ -37,12 +38,14 @@ def recordings_folder() -> Path:
     return content.user_folder() / "recordings"
 
 
-def new_path(robot: Robot, now: datetime) -> Path:
-    """A file that does not exist yet, named by the time and the robot."""
+def new_path(robot: Robot, now: datetime, taken: Collection[Path] = ()) -> Path:
+    """A file that does not exist yet, named by the time and the robot. taken: files that are about to be made."""
     name = re.sub(r"[^\w-]+", "_", robot.name)[:60]
     stem, number = f"{now:%Y-%m-%d_%H-%M-%S}_{name}", 1
-    while (path := recordings_folder() / f"{stem}{f'_{number}' if number > 1 else ''}.mcap").exists():
+    path = recordings_folder() / f"{stem}.mcap"
+    while path in taken or path.exists():
         number += 1
+        path = recordings_folder() / f"{stem}_{number}.mcap"
     return path
 
 

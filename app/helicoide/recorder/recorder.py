@@ -101,6 +101,8 @@ class Recorder:
         except Exception:
             log.exception("a recording failed")
             self.reason = BUG
+        self.take = _ignore
+        self._queue.clear()
 
     def _record(self, file: BinaryIO) -> None:
         states = StateFile(file, self.first, time_ns())
@@ -132,6 +134,10 @@ class Recorder:
         self.seconds = self._last_t = since
         if since > LONGEST:
             self.reason = LONG
+
+
+def _ignore(state: State) -> None:
+    """Take a state after the end."""
 
 
 def new_file(path: Path) -> BinaryIO:

@@ -46,8 +46,9 @@ class Recorders:
             if len(self._recorded) >= MOST_AT_ONCE:
                 refuse(BUSY)
                 return
-            state = workcell.state
-            workcell.recorder = self._recorded[workcell] = Recorder(new_path(state.robot, datetime.now()), state)
+            state, taken = workcell.state, [recorder.path for recorder in self._recorded.values()]
+            path = new_path(state.robot, datetime.now(), taken)
+            workcell.recorder = self._recorded[workcell] = Recorder(path, state)
             if self._watching is None or self._watching.done():
                 self._watching = asyncio.get_running_loop().create_task(self._watch())
 

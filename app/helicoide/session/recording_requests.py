@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from helicoide.session.bay import Bays
 from helicoide.session.recorders import Recorders
@@ -35,7 +36,8 @@ class RecordingRequests:
             case rows.DeleteRecording(name):
                 self.recordings.delete(name, window.tell)
             case rows.SaveRecording(kind):
-                self.recordings.save(place, kind, window.client.send_file_download, window.tell)
+                send = partial(window.client.send_file_download, save_immediately=True)
+                self.recordings.save(place, kind, send, window.tell)
 
     def enter(self, place: Place) -> None:
         """A window of a place opens."""

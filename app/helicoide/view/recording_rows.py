@@ -58,6 +58,7 @@ def recording_rows(robot: Robot) -> Folder:
             lambda view: STOP if _records(view) else RECORD,
             lambda view: RecordArm(not _records(view)),
             Icon.PLAYER_RECORD,
+            lambda view: view.ready,
             weight="primary",
         ),
         HtmlRow(_recorder),

@@ -23,6 +23,12 @@ COUNT = """([chart, red, green, blue]) => { const canvas = document.querySelecto
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height); let found = 0;
   for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 20 &&
     Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue) < 40; return found }"""
+# Press and release the pointer on a number of the diagram.
+PRESS = """words => { const number = document.querySelector(`[data-helicoide-press="${words}"]`);
+  number.scrollIntoView({ block: 'center' }); const { x, y, width, height } = number.getBoundingClientRect();
+  const at = { clientX: x + width / 2, clientY: y + height / 2, bubbles: true };
+  for (const what of ['pointerdown', 'pointerup'])
+    document.elementFromPoint(at.clientX, at.clientY).dispatchEvent(new PointerEvent(what, at)) }"""
 ORANGE, BLUE = (213, 94, 0), (31, 119, 180)
 
 
@@ -113,7 +119,7 @@ def test_a_number_of_the_loop_adds_its_signal_to_the_charts(lab: Lab, page: Page
     expect(loop.get_by_text("constrained QP step")).to_be_visible()
     lab.post(gate.choose_method("filtered"))
     expect(loop.get_by_text("q̇ = Θ ν")).to_be_visible()
-    loop.locator("[data-helicoide-press='Position error']").click(force=True)
+    page.evaluate(PRESS, "Position error")
     until(page, lambda: "position error" in shown.seat.charts.shown)
     page.get_by_role("button", name="Add a signal of the loop to the charts").click()
     press(page, "Joint velocity")

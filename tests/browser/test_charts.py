@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import csv
-from pathlib import Path
+import io
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from helicoide import gate
 from helicoide.readout.history import History
 from helicoide.readout.signals import signals_of
 from helicoide.seat import ChartChoice
-from helicoide.view.signal_rows import with_choice
+from helicoide.view.signal_rows import FILE, with_choice
 
 # Pixels of a chart's canvas that have about a colour.
 COUNT = """([chart, red, green, blue]) => { const canvas = document.querySelectorAll('.uplot canvas')[chart];
@@ -22,6 +23,12 @@ COUNT = """([chart, red, green, blue]) => { const canvas = document.querySelecto
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height); let found = 0;
   for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 20 &&
     Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue) < 40; return found }"""
+# Press and release the pointer on a number of the diagram.
+PRESS = """words => { const number = document.querySelector(`[data-helicoide-press="${words}"]`);
+  number.scrollIntoView({ block: 'center' }); const { x, y, width, height } = number.getBoundingClientRect();
+  const at = { clientX: x + width / 2, clientY: y + height / 2, bubbles: true };
+  for (const what of ['pointerdown', 'pointerup'])
+    document.elementFromPoint(at.clientX, at.clientY).dispatchEvent(new PointerEvent(what, at)) }"""
 ORANGE, BLUE = (213, 94, 0), (31, 119, 180)
 
 
@@ -60,7 +67,7 @@ def test_a_group_is_drawn_with_its_bands_and_can_be_paused(lab: Lab, page: Page)
     expect(page.get_by_text("Least distance to each plane").first).to_be_visible()
     until(page, lambda: page.evaluate(COUNT, [0, *BLUE]) > 20)
     assert page.evaluate(COUNT, [0, *ORANGE]) > 200
-    expect(page.locator(".uplot").first.get_by_text("safety distance")).to_be_visible()
+    expect(page.locator(".uplot").first.get_by_text("safety distance").first).to_be_visible()
     press(page, "Pause charts")
     expect(page.get_by_role("button", name="Resume charts")).to_be_visible()
     kept, t = history(lab), lab.state.t
@@ -71,18 +78,18 @@ def test_a_group_is_drawn_with_its_bands_and_can_be_paused(lab: Lab, page: Page)
     move(lab, page)
 
 
-def test_the_saved_file_has_the_values_of_the_state(lab: Lab, page: Page, tmp_path: Path) -> None:
+def test_the_saved_file_has_the_values_of_the_state(lab: Lab, page: Page) -> None:
     choose(page, "Signals", "Distances")
     move(lab, page)
     until(page, lambda: not lab.state.arm.moving and lab.state.t - history(lab).times[-1] < 0.06)
     press(page, "Pause charts")
     expect(page.get_by_role("button", name="Resume charts")).to_be_visible()
-    with page.expect_download() as download:
+    with patch.object(lab.windows[-1].client, "send_file_download") as sent:
         press(page, "Save as CSV")
-    file = tmp_path / "signals.csv"
-    download.value.save_as(file)
-    with file.open(encoding="utf-8-sig", newline="") as lines:
-        rows = list(csv.DictReader(lines))
+        until(page, lambda: sent.call_count == 1)
+    name, content = sent.call_args.args
+    assert name == FILE
+    rows = list(csv.DictReader(io.StringIO(content.decode("utf-8-sig"), newline="")))
     kept = history(lab)
     np.testing.assert_array_equal([float(row["t [s]"]) for row in rows], kept.times[kept.since(20.0)])
     values = signals_of(lab.state)["planes"].read(lab.state)
@@ -112,7 +119,7 @@ def test_a_number_of_the_loop_adds_its_signal_to_the_charts(lab: Lab, page: Page
     expect(loop.get_by_text("constrained QP step")).to_be_visible()
     lab.post(gate.choose_method("filtered"))
     expect(loop.get_by_text("q̇ = Θ ν")).to_be_visible()
-    loop.locator("[data-helicoide-press='Position error']").click(force=True)
+    page.evaluate(PRESS, "Position error")
     until(page, lambda: "position error" in shown.seat.charts.shown)
     page.get_by_role("button", name="Add a signal of the loop to the charts").click()
     press(page, "Joint velocity")

@@ -19,7 +19,7 @@ from helicoide.view.rows import View
 # Lengths in units of the drawing, which is as wide as the panel.
 WIDTH, LEFT, BLOCK, SIDE_LEFT, SIDE, RETURN = 344, 4, 186, 210, 120, 338
 LINE, PADDING, ARROW = 17, 7, 30
-CHARACTERS, SIDE_CHARACTERS, DIGITS = 23, 16, 3
+CHARACTERS, SIDE_CHARACTERS, DIGITS = 21, 16, 3
 TINY = 1e-9  # a value nearer to zero is written as 0
 MIDDLE = LEFT + BLOCK // 4
 
@@ -64,7 +64,7 @@ def _arrow_height(block: LoopBlock) -> int:
 def _drawn_block(state: State, block: LoopBlock, top: int, language: Language) -> tuple[list[Markup], int]:
     """A block with the blocks at its side, and where its lower edge is."""
     lines = textwrap.wrap(block.title[language], CHARACTERS)
-    sides = [(side, textwrap.wrap(side.title[language], SIDE_CHARACTERS)) for side in block.sides]
+    sides = [(side, _wrapped(side.title[language])) for side in block.sides]
     heights = [PADDING + LINE * (len(words) + len(side.signals)) for side, words in sides]
     height = max(2 * PADDING + LINE * (len(lines) + 1), sum(heights) + 6 * (len(heights) - 1))
     parts = [BOX.format(LEFT, top, BLOCK, height)]
@@ -76,6 +76,10 @@ def _drawn_block(state: State, block: LoopBlock, top: int, language: Language) -
         parts += _drawn_side(state, side, words, (at, tall), language)
         at += tall + 6
     return parts, top + height
+
+
+def _wrapped(title: str) -> list[str]:
+    return textwrap.wrap(title, SIDE_CHARACTERS, break_long_words=False)
 
 
 def _drawn_side(

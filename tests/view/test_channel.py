@@ -232,13 +232,14 @@ def test_words_arrive_once_and_only_at_their_window(
             "tone": "ok",
             "everywhere": False,
             "projector": False,
+            "transparent": False,
         }
-        assert json.loads(page.recv(5)) == said | {"everywhere": False, "projector": False}
+        assert json.loads(page.recv(5)) == said | {"everywhere": False, "projector": False, "transparent": False}
         post(control.push, "a", FREE)
         beat(page)
         post(control.push, "a", HELD)
         said = {"language": "en", "status": "Stopped", "tone": "stopped"}
-        assert json.loads(page.recv(5)) == said | {"everywhere": False, "projector": False}
+        assert json.loads(page.recv(5)) == said | {"everywhere": False, "projector": False, "transparent": False}
         beat(other)
 
 

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Iterator
 
 from markupsafe import Markup
 
+from helicoide.export.study_table import significant_digits
 from helicoide.ik.methods import named
 from helicoide.readout import Instrument, counted_names, instruments, limiting, near_singular
 from helicoide.state import State
-from helicoide.text import Language, Text, number_text
+from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
 from helicoide.view.formula import formula_html
 from helicoide.view.rows import View
@@ -80,7 +81,7 @@ def _read(instrument: Instrument | None, language: Language) -> str:
     if instrument is None:
         return "–"
     value = round(instrument.value, 4) if instrument.unit in ("mm", "°") else instrument.value
-    shown = number_text(value, ".4g")[language].replace("-", "−").replace("inf", "∞")
+    shown = with_decimal_comma(significant_digits(value, 4))[language].replace("-", "−").replace("inf", "∞")
     return f"{shown} {instrument.unit}"
 
 

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from math import ceil, floor, log10
 from typing import Any
 
+from helicoide.export.study_table import significant_digits
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
-from helicoide.text import Text, number_text, untranslated
+from helicoide.text import Text, untranslated, with_decimal_comma
 from helicoide.view.rows import Checkbox, Dropdown, PageRequest, Row, Slider, View
 
 NONE = Text(en="none", pt_BR="nenhum")
@@ -70,8 +71,9 @@ def _decades(
     """A logarithmic slider. Its label shows the value; the page hides the exponent that viser shows."""
 
     def label(view: View) -> Text:
+        said = with_decimal_comma(significant_digits(value(view) * unit, 3))
         return untranslated("{title}: {said} {unit}{decades}").format(
-            title=setting.title, said=number_text(value(view) * unit, ".3g"), unit=setting.unit, decades=DECADES
+            title=setting.title, said=said, unit=setting.unit, decades=DECADES
         )
 
     return Slider(

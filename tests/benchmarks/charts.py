@@ -12,7 +12,7 @@ from tests.benchmarks.report import p50, spread, verdict
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.kinematics.library import load_robot
-from helicoide.readout.history import LONGEST, NO_HISTORY, SPACING, History
+from helicoide.readout.signal_history import LONGEST, NO_SIGNAL_HISTORY, SPACING, SignalHistory
 from helicoide.readout.signals import needed_signals
 from helicoide.seat import Seat
 from helicoide.session.preparing import TICK, exercise
@@ -51,9 +51,9 @@ def _timed(function: Callable[[], object]) -> float:
     return (perf_counter_ns() - began) / 1000
 
 
-def _full(states: list[State], shown: tuple[str, ...]) -> History:
+def _full(states: list[State], shown: tuple[str, ...]) -> SignalHistory:
     """A minute of samples that ends before the first state."""
-    history = NO_HISTORY
+    history = NO_SIGNAL_HISTORY
     for k in range(round(LONGEST / SPACING)):
         state = replace(states[k % len(states)], t=k * SPACING - LONGEST)
         history = history.with_sample(state, needed_signals(state, shown))

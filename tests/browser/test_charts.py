@@ -12,10 +12,10 @@ from playwright.sync_api import Page, expect
 from tests.browser.lab import Lab, press, tab, until
 
 from helicoide import gate
-from helicoide.readout.history import History
+from helicoide.readout.signal_history import SignalHistory
 from helicoide.readout.signals import signals_of
 from helicoide.seat import ChartChoice
-from helicoide.view.signal_rows import FILE, with_choice
+from helicoide.view.signal_rows import FILE, with_charts
 
 # Pixels of a chart's canvas that have about a colour.
 COUNT = """([chart, red, green, blue]) => { const canvas = document.querySelectorAll('.uplot canvas')[chart];
@@ -38,13 +38,13 @@ def page(shared_page: Page, lab: Lab) -> Page:
     tab(shared_page, "Charts")
     visitor = list(lab.session.visitors.values())[-1]
     fresh = vars(ChartChoice())
-    lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: with_choice(seat, **fresh))
+    lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: with_charts(seat, **fresh))
     until(shared_page, lambda: visitor.place.seat.charts == ChartChoice())
     expect(shared_page.get_by_text("Choose a group of signals.")).to_be_visible()
     return shared_page
 
 
-def history(lab: Lab) -> History:
+def history(lab: Lab) -> SignalHistory:
     return list(lab.session.visitors.values())[-1].history
 
 

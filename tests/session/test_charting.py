@@ -12,8 +12,8 @@ from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate
-from helicoide.readout.history import NO_HISTORY, History
 from helicoide.readout.signal import Signal
+from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.seat import Seat
 from helicoide.session.lab import Lab
 from helicoide.session.visitor import Visitor
@@ -54,7 +54,7 @@ def test_nothing_is_read_while_no_chart_is_chosen_or_charts_are_paused(lab: Lab,
     with patch.object(Signal, "read", side_effect=AssertionError("a signal was read")) as read:
         move(lab, visitor, 0.02)
         after_ticks(lab)
-        assert visitor.history is NO_HISTORY
+        assert visitor.history is NO_SIGNAL_HISTORY
         assert read.call_count == 0
     choose(lab, visitor, "joints")
     move(lab, visitor, -0.02)
@@ -62,7 +62,7 @@ def test_nothing_is_read_while_no_chart_is_chosen_or_charts_are_paused(lab: Lab,
     lab.loop.call_soon_threadsafe(visitor.reseat, paused)
     assert eventually(lambda: visitor.place.seat.charts.paused)
     history = visitor.history
-    with patch.object(History, "with_sample", side_effect=AssertionError("a sample was taken")) as sample:
+    with patch.object(SignalHistory, "with_sample", side_effect=AssertionError("a sample was taken")) as sample:
         move(lab, visitor, 0.02)
         after_ticks(lab)
         assert sample.call_count == 0

@@ -8,13 +8,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from helicoide.readout.history import History
 from helicoide.readout.signal import Signal
+from helicoide.readout.signal_history import SignalHistory
 from helicoide.text import Language, Text
 
 
 def history_csv(
-    history: History, signals: Sequence[Signal], span: float, language: Language, arms: Sequence[Text]
+    history: SignalHistory, signals: Sequence[Signal], span: float, language: Language, arms: Sequence[Text]
 ) -> str:
     """The samples of the last `span` seconds; numbers with a decimal point, and nothing where undefined.
 

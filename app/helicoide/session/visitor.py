@@ -12,7 +12,7 @@ from time import monotonic
 import numpy as np
 
 from helicoide import gate, lesson
-from helicoide.readout.history import NO_HISTORY, History
+from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.readout.signals import needed_signals
 from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
@@ -43,7 +43,7 @@ class Visitor:
     bay: Bay
     settled: bool = False
     moving: asyncio.Task[None] | None = None
-    history: History = NO_HISTORY
+    history: SignalHistory = NO_SIGNAL_HISTORY
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
@@ -66,7 +66,7 @@ class Visitor:
         """Add a sample to the history if one is due. Nothing is computed without charts, or while they are paused."""
         charts, state = self.place.seat.charts, self.bay.workcell.state
         if not any(charts.shown):
-            self.history = NO_HISTORY
+            self.history = NO_SIGNAL_HISTORY
         elif not charts.paused and self.history.is_due(state):
             try:
                 self.history = self.history.with_sample(state, needed_signals(state, charts.shown))
@@ -75,7 +75,7 @@ class Visitor:
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""
-        self.bay, robots, self.history = bay, (bay.workcell.state.robot.name, bay.arms.wanted), NO_HISTORY
+        self.bay, robots, self.history = bay, (bay.workcell.state.robot.name, bay.arms.wanted), NO_SIGNAL_HISTORY
         if not lessons.is_about(self.place.seat, robots):
             self.place.seat = lessons.seated_at(robots, self.place.seat)
         await bay.enter(self.window)

@@ -1,6 +1,6 @@
 """Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
 
-from helicoide.sheet.editing import entered, with_choice, with_entry_text, with_shown, without_line
+from helicoide.sheet.editing import with_chosen_line, with_entry_text, with_line, with_shown, without_line
 from helicoide.sheet.parts import (
     LONGEST_LINE,
     MOST_CHARACTERS,
@@ -22,15 +22,15 @@ __all__ = [
     "NameSlider",
     "Sheet",
     "SheetLine",
-    "entered",
     "sheet_link",
     "sheet_of_file",
     "sheet_of_link",
     "sheet_of_text",
     "sheet_text",
     "too_long_text",
-    "with_choice",
+    "with_chosen_line",
     "with_entry_text",
+    "with_line",
     "with_shown",
     "without_line",
 ]

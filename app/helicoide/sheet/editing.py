@@ -8,7 +8,7 @@ from helicoide.sheet.parts import LONGEST_LINE, MOST_LINES, LineEntry, Sheet
 from helicoide.sheet.writing import sheet_of_text
 
 
-def entered(sheet: Sheet, text: str) -> Sheet:
+def with_line(sheet: Sheet, text: str) -> Sheet:
     """The sheet with a line added, or with the chosen line replaced; an empty one removes it. Raises HelicoideError.
 
     A line such as “slider a = 1 from 0 to 5” sets a slider. The text field is then empty, for a new line.
@@ -24,7 +24,7 @@ def entered(sheet: Sheet, text: str) -> Sheet:
     return Sheet((*above, *fresh, *below), sliders, entry)
 
 
-def with_choice(sheet: Sheet, index: int | None) -> Sheet:
+def with_chosen_line(sheet: Sheet, index: int | None) -> Sheet:
     """The sheet with a line in the text field, to be changed; None, or no such line, for a new one."""
     if index is None or not 0 <= index < len(sheet.lines):
         return replace(sheet, entry=LineEntry(past=sheet.entry.past))
@@ -38,7 +38,7 @@ def with_entry_text(sheet: Sheet, text: str) -> Sheet:
 
 def without_line(sheet: Sheet, index: int) -> Sheet:
     """The sheet without one of its lines."""
-    return with_choice(replace(sheet, lines=(*sheet.lines[:index], *sheet.lines[index + 1 :])), None)
+    return with_chosen_line(replace(sheet, lines=(*sheet.lines[:index], *sheet.lines[index + 1 :])), None)
 
 
 def with_shown(sheet: Sheet, shown: bool, index: int | None = None) -> Sheet:

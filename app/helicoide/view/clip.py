@@ -23,7 +23,7 @@ from helicoide.view.shapes import load_shapes
 LAST = 0.5  # s that the last frame stays, before the clip begins again
 
 
-class Recording(WebsockMessageHandler):
+class MessageRecording(WebsockMessageHandler):
     """A scene whose messages are recorded. It takes the place of a client of viser, as `Audience` does.
 
     Handles are left out: in a clip nothing answers to them.
@@ -62,7 +62,7 @@ def clip_html(server: viser.ViserServer, states: Sequence[State], seat: Seat, ca
     seat: whose layers are shown; camera: position and target of the first view, (3,) m each. It takes about a second:
     call it in a thread.
     """
-    robot, recording = states[0].robot, Recording(server)
+    robot, recording = states[0].robot, MessageRecording(server)
     shapes = load_shapes(robot)
     light_scene(recording.scene)
     recording.camera.position, recording.camera.look_at = camera

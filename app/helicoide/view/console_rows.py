@@ -11,13 +11,13 @@ from helicoide.console import example_sheets, free_names, scene_names
 from helicoide.sheet import (
     NameSlider,
     Sheet,
-    entered,
     sheet_link,
     sheet_of_file,
     sheet_of_link,
     sheet_text,
-    with_choice,
+    with_chosen_line,
     with_entry_text,
+    with_line,
     with_shown,
     without_line,
 )
@@ -78,7 +78,7 @@ def _entry() -> TextEntry:
         Text(en="expression", pt_BR="expressão"),
         lambda view: view.seat.sheet.entry.text,
         Text(en="Enter line", pt_BR="Inserir linha"),
-        lambda text: _changed(lambda sheet: entered(sheet, text)),
+        lambda text: _changed(lambda sheet: with_line(sheet, text)),
         lambda text: _changed(lambda sheet: with_entry_text(sheet, text)),
     )
 
@@ -136,7 +136,7 @@ def _line_rows() -> list[Row]:
             Text(en="line", pt_BR="linha"),
             options,
             key,
-            lambda key: _changed(lambda sheet: with_choice(sheet, int(key) if key.isdigit() else None)),
+            lambda key: _changed(lambda sheet: with_chosen_line(sheet, int(key) if key.isdigit() else None)),
         ),
         _past_lines(),
         Button(_eye_label, _toggle, Icon.EYE, enabled=_has_choice),

@@ -10,7 +10,7 @@ from helicoide.readout.loop import loop_signals
 from helicoide.text import Text
 from helicoide.view.loop_diagram import LOOP, loop_diagram
 from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, ForSeat, HtmlRow, Row, View
-from helicoide.view.signal_rows import chart_titles, with_choice, with_signal
+from helicoide.view.signal_rows import chart_titles, with_charts, with_signal
 
 SHOW = Text(en="Show the diagram", pt_BR="Mostrar o diagrama")
 ADD = Text(en="Add a signal of the loop to the charts", pt_BR="Acrescentar um sinal da malha aos gráficos")
@@ -25,7 +25,7 @@ def loop_rows() -> Folder:
             Checkbox(
                 SHOW,
                 lambda view: view.seat.charts.loop,
-                lambda on: ForSeat(lambda seat: with_choice(seat, loop=bool(on))),
+                lambda on: ForSeat(lambda seat: with_charts(seat, loop=bool(on))),
             ),
             HtmlRow(lambda view: loop_diagram(view) if view.seat.charts.loop else Markup(""), computed=True),
             Folder(ADD, DependentRows(_on_arrows, _buttons), open=False),

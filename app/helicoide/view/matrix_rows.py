@@ -10,7 +10,7 @@ from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
 from helicoide.view.settings import NONE
-from helicoide.view.signal_rows import with_choice
+from helicoide.view.signal_rows import with_charts
 
 TITLE, SHOWN = Text(en="Matrices", pt_BR="Matrizes"), Text(en="Matrix", pt_BR="Matriz")
 UNDEFINED = Text(
@@ -29,7 +29,7 @@ def matrix_rows() -> Folder:
                 SHOWN,
                 [("", NONE), *TITLES.items()],
                 lambda view: view.seat.charts.matrix,
-                lambda name: ForSeat(lambda seat: with_choice(seat, matrix=name)),
+                lambda name: ForSeat(lambda seat: with_charts(seat, matrix=name)),
             ),
             HtmlRow(matrix_table, computed=True),
         ],
@@ -50,7 +50,7 @@ def matrix_table(view: View) -> Markup:
 def _written(matrix: NamedMatrix, language: Language) -> Markup:
     head = Markup("<tr><th></th>{}</tr>").format(_cells("th", [name[language] for name in matrix.columns]))
     body = Markup("").join(
-        Markup("<tr><th>{}</th>{}</tr>").format(name[language], _cells("td", [shown(v, language) for v in row]))
+        Markup("<tr><th>{}</th>{}</tr>").format(name[language], _cells("td", [entry_text(v, language) for v in row]))
         for name, row in zip(matrix.rows, matrix.values, strict=True)
     )
     return TABLE.format(head if any(name.en for name in matrix.columns) else "", body)
@@ -61,7 +61,7 @@ def _cells(kind: str, words: list[str]) -> Markup:
     return Markup("").join(map(cell.format, words))
 
 
-def shown(value: float, language: Language) -> str:
+def entry_text(value: float, language: Language) -> str:
     """A number with four significant digits, and a minus sign; 0 if it is tiny beside 1."""
     value = 0.0 if abs(value) < 1e-12 else float(np.round(value, 12))
     return number_text(value, ".4g")[language].replace("-", "−")

@@ -11,7 +11,7 @@ from viser import IconName
 
 from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
-from helicoide.readout.history import NO_HISTORY, History
+from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState, RecordingPanelUpdate
 from helicoide.recorder.recorder import RecorderStatus
 from helicoide.seat import Seat, SeatUpdate
@@ -41,7 +41,7 @@ class View:
     own: bool = False
     recordings: RecordingPanelState = NO_RECORDINGS
     recorder: RecorderStatus | None = None
-    history: History = NO_HISTORY
+    history: SignalHistory = NO_SIGNAL_HISTORY
     time: float = 0.0
 
     def linked_here(self) -> tuple[float, ...] | None:

@@ -11,8 +11,8 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.export.svg import axis_range
 from helicoide.ik.methods import named
-from helicoide.readout.history import GAP, History
 from helicoide.readout.signal import Band, PhasePlane, Signal
+from helicoide.readout.signal_history import GAP, SignalHistory
 from helicoide.readout.signals import phase_planes, signals_of
 from helicoide.state import State
 from helicoide.studies.study import Chart, ChartBand, ChartLine
@@ -70,7 +70,7 @@ def axis_label(signal: Signal) -> Text:
 
 @lru_cache(maxsize=32)  # until the next sample, so that a chart that has not changed is the same object
 def _time_chart(
-    history: History, signal: Signal, bands: tuple[Band, ...], axis: tuple[float, bool], titles: Titles
+    history: SignalHistory, signal: Signal, bands: tuple[Band, ...], axis: tuple[float, bool], titles: Titles
 ) -> Chart | None:
     """axis: the span, s, and whether it is logarithmic. None if there is no value in the span."""
     span, log = axis
@@ -126,7 +126,7 @@ def _range(values: Array, bands: tuple[Band, ...], log: bool) -> tuple[float, fl
 
 @lru_cache(maxsize=32)
 def _phase_chart(
-    history: History, phase: PhasePlane, signals: tuple[Signal, Signal], span: float, titles: Titles
+    history: SignalHistory, phase: PhasePlane, signals: tuple[Signal, Signal], span: float, titles: Titles
 ) -> Chart | None:
     """One signal over another, curve by curve; None if no curve has values."""
     across, up = signals

@@ -53,10 +53,10 @@ def signal_rows() -> list[Row]:
             SPAN,
             [(str(n), SECONDS.format(n=n)) for n in SPANS],
             lambda view: str(round(view.seat.charts.span)),
-            lambda n: ForSeat(lambda seat: with_choice(seat, span=float(n))),
+            lambda n: ForSeat(lambda seat: with_charts(seat, span=float(n))),
         ),
         Checkbox(
-            LOG, lambda view: view.seat.charts.log, lambda on: ForSeat(lambda seat: with_choice(seat, log=bool(on)))
+            LOG, lambda view: view.seat.charts.log, lambda on: ForSeat(lambda seat: with_charts(seat, log=bool(on)))
         ),
         *(Plot(live_charts, index) for index in range(MOST_CHARTS)),
         HtmlRow(_note),
@@ -69,7 +69,7 @@ def _buttons() -> Sequence[Row]:
     return (
         Button(
             lambda view: RESUME if view.seat.charts.paused else PAUSE,
-            lambda view: ForSeat(lambda seat: with_choice(seat, paused=not view.seat.charts.paused)),
+            lambda view: ForSeat(lambda seat: with_charts(seat, paused=not view.seat.charts.paused)),
             Icon.PLAYER_PAUSE,
             lambda view: any(view.seat.charts.shown),
         ),
@@ -77,7 +77,7 @@ def _buttons() -> Sequence[Row]:
     )
 
 
-def with_choice(seat: Seat, **changes: object) -> Seat:
+def with_charts(seat: Seat, **changes: object) -> Seat:
     """The seat with other fields of its choice of charts."""
     return replace(seat, charts=replace(seat.charts, **changes))  # type: ignore[arg-type]
 
@@ -85,14 +85,14 @@ def with_choice(seat: Seat, **changes: object) -> Seat:
 def with_group(seat: Seat, name: str) -> Seat:
     """The seat with the charts of a group, or without charts if there is no such group."""
     shown = next((group.PRESET for group in signal_groups() if _name(group) == name), ())
-    return with_choice(seat, shown=shown, paused=False)
+    return with_charts(seat, shown=shown, paused=False)
 
 
 def with_chart(seat: Seat, index: int, name: str) -> Seat:
     """The seat with one chart showing another signal, or no chart for the name ""."""
     shown = [*seat.charts.shown, *[""] * MOST_CHARTS][:MOST_CHARTS]
     shown[index] = name
-    return with_choice(seat, shown=tuple(shown))
+    return with_charts(seat, shown=tuple(shown))
 
 
 def with_signal(seat: Seat, name: str) -> Seat:

@@ -13,7 +13,7 @@ from tests.driving import after
 from helicoide import gate
 from helicoide.export.history_csv import history_csv
 from helicoide.kinematics.library import load_robot
-from helicoide.readout.history import LONGEST, NO_HISTORY, SPACING, History
+from helicoide.readout.signal_history import LONGEST, NO_SIGNAL_HISTORY, SPACING, SignalHistory
 from helicoide.readout.signals import needed_signals, signals_of
 from helicoide.state import State, initial_state
 from helicoide.text import untranslated
@@ -21,14 +21,14 @@ from helicoide.text import untranslated
 SHOWN = ("positions", "planes", "phase d")
 
 
-def sampled(history: History, state: State) -> History:
+def sampled(history: SignalHistory, state: State) -> SignalHistory:
     return history.with_sample(state, needed_signals(state, SHOWN))
 
 
-def driven(state: State, ticks: int) -> tuple[History, list[State]]:
+def driven(state: State, ticks: int) -> tuple[SignalHistory, list[State]]:
     """The history of an arm that moves, and the states that were sampled."""
     state = gate.set_target(state.T_world_tool[:3, 3] + 0.05, [1.0, 0.0, 0.0, 0.0])(state)
-    history, states = NO_HISTORY, []
+    history, states = NO_SIGNAL_HISTORY, []
     for _ in range(ticks):
         state = after(state, 0.01)
         if history.is_due(state):
@@ -48,7 +48,7 @@ def test_samples_are_the_values_of_the_states_at_their_times(state: State) -> No
 
 
 def test_it_is_bounded(state: State) -> None:
-    history = NO_HISTORY
+    history = NO_SIGNAL_HISTORY
     for k in range(int(1.2 * LONGEST / SPACING)):
         history = sampled(history, replace(state, t=k * SPACING))
     assert len(history.times) == pytest.approx(LONGEST / SPACING, abs=1)

@@ -20,7 +20,7 @@ GAP = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class History:
+class SignalHistory:
     """Samples of signals of one arm, and of the compared arm if there is one.
 
     robot: None before the first sample; times (k,), s, of `State.t`; values: by the name of the signal, (k, 2, c): of
@@ -37,17 +37,17 @@ class History:
             return True
         return not 0 <= state.t - self.times[-1] < SPACING - 1e-9
 
-    def with_sample(self, state: State, signals: Sequence[Signal]) -> History:
+    def with_sample(self, state: State, signals: Sequence[Signal]) -> SignalHistory:
         """The history with a sample, and without what is older than `LONGEST`.
 
         Signals that are not among the given ones are dropped; new ones are NaN before. Another arm, or a time before
         the last sample, begins a new history.
         """
         if self.robot is not state.robot or (len(self.times) > 0 and state.t < self.times[-1]):
-            return History(state.robot).with_sample(state, signals)
+            return SignalHistory(state.robot).with_sample(state, signals)
         kept = self.times > state.t - LONGEST
         values = {signal.name: self._extended(signal, state, kept) for signal in signals}
-        return History(state.robot, frozen(np.append(self.times[kept], state.t)), MappingProxyType(values))
+        return SignalHistory(state.robot, frozen(np.append(self.times[kept], state.t)), MappingProxyType(values))
 
     def _extended(self, signal: Signal, state: State, kept: NDArray[np.bool_]) -> Array:
         """The kept samples of a signal and one more, (k, 2, c)."""
@@ -66,4 +66,4 @@ class History:
         return slice(int(np.searchsorted(self.times, self.times[-1] - seconds)) if len(self.times) else 0, None)
 
 
-NO_HISTORY = History()
+NO_SIGNAL_HISTORY = SignalHistory()

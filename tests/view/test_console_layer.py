@@ -22,7 +22,7 @@ from helicoide.geometry import incidence, rigid
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.seat import Seat
-from helicoide.sheet import Sheet, SheetLine, entered, with_choice, with_entry_text, with_shown, without_line
+from helicoide.sheet import Sheet, SheetLine, with_choice, with_entered_line, with_entry_text, with_shown, without_line
 from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, HelicoideError, Language
 from helicoide.view import layers
@@ -157,7 +157,7 @@ def test_what_was_typed_is_shown_as_text(
     server: viser.ViserServer, state: State, name: str, language: Language
 ) -> None:
     server.gui.reset()
-    sheet = with_choice(entered(sheet_of("a = join(elbow, wrist)*b"), name), 1)
+    sheet = with_choice(with_entered_line(sheet_of("a = join(elbow, wrist)*b"), name), 1)
     view = view_of(state, sheet, language)
     placed = place_rows(server.gui, [console_rows()], view, lambda _: None)
     for row in placed:
@@ -174,17 +174,17 @@ def test_what_was_typed_is_shown_as_text(
 
 
 def test_lines_are_added_changed_hidden_and_removed() -> None:
-    sheet = entered(entered(Sheet(), "a = 1"), "b = 2")
+    sheet = with_entered_line(with_entered_line(Sheet(), "a = 1"), "b = 2")
     assert [line.text for line in sheet.lines] == ["a = 1", "b = 2"]
     chosen = with_choice(with_shown(sheet, False, 0), 0)
     assert chosen.entry.text == "a = 1"
-    changed = entered(with_entry_text(chosen, "a = 3"), "a = 3")
+    changed = with_entered_line(with_entry_text(chosen, "a = 3"), "a = 3")
     assert [(line.text, line.shown) for line in changed.lines] == [("a = 3", False), ("b = 2", True)]
     assert changed.entry.text == ""
     assert changed.entry.past == ("a = 1", "b = 2", "a = 3")
     assert [line.text for line in without_line(changed, 0).lines] == ["b = 2"]
-    assert [line.text for line in entered(with_choice(changed, 1), "").lines] == ["a = 3"]
-    assert entered(changed, "slider c = 2 from 0 to 5").slider("c").upper == 5
+    assert [line.text for line in with_entered_line(with_choice(changed, 1), "").lines] == ["a = 3"]
+    assert with_entered_line(changed, "slider c = 2 from 0 to 5").slider("c").upper == 5
 
 
 def test_the_help_lists_what_begins_as_the_last_word(state: State) -> None:

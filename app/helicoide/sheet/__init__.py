@@ -1,6 +1,6 @@
 """Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
 
-from helicoide.sheet.editing import entered, with_choice, with_entry_text, with_shown, without_line
+from helicoide.sheet.editing import with_choice, with_entered_line, with_entry_text, with_shown, without_line
 from helicoide.sheet.parts import (
     LONGEST_LINE,
     MOST_CHARACTERS,
@@ -22,7 +22,6 @@ __all__ = [
     "NameSlider",
     "Sheet",
     "SheetLine",
-    "entered",
     "sheet_link",
     "sheet_of_file",
     "sheet_of_link",
@@ -30,6 +29,7 @@ __all__ = [
     "sheet_text",
     "too_long_text",
     "with_choice",
+    "with_entered_line",
     "with_entry_text",
     "with_shown",
     "without_line",

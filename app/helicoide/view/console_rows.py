@@ -11,12 +11,12 @@ from helicoide.console import example_sheets, free_names, scene_names
 from helicoide.sheet import (
     NameSlider,
     Sheet,
-    entered,
     sheet_link,
     sheet_of_file,
     sheet_of_link,
     sheet_text,
     with_choice,
+    with_entered_line,
     with_entry_text,
     with_shown,
     without_line,
@@ -78,7 +78,7 @@ def _entry() -> TextEntry:
         Text(en="expression", pt_BR="expressão"),
         lambda view: view.seat.sheet.entry.text,
         Text(en="Enter line", pt_BR="Inserir linha"),
-        lambda text: _changed(lambda sheet: entered(sheet, text)),
+        lambda text: _changed(lambda sheet: with_entered_line(sheet, text)),
         lambda text: _changed(lambda sheet: with_entry_text(sheet, text)),
     )
 

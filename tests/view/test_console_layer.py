@@ -22,7 +22,15 @@ from helicoide.geometry import incidence, rigid
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.seat import Seat
-from helicoide.sheet import Sheet, SheetLine, with_chosen_line, with_entry_text, with_line, with_shown, without_line
+from helicoide.sheet import (
+    Sheet,
+    SheetLine,
+    with_chosen_line,
+    with_entered_line,
+    with_entry_text,
+    with_shown,
+    without_line,
+)
 from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, HelicoideError, Language
 from helicoide.view import layers
@@ -157,7 +165,7 @@ def test_what_was_typed_is_shown_as_text(
     server: viser.ViserServer, state: State, name: str, language: Language
 ) -> None:
     server.gui.reset()
-    sheet = with_chosen_line(with_line(sheet_of("a = join(elbow, wrist)*b"), name), 1)
+    sheet = with_chosen_line(with_entered_line(sheet_of("a = join(elbow, wrist)*b"), name), 1)
     view = view_of(state, sheet, language)
     placed = place_rows(server.gui, [console_rows()], view, lambda _: None)
     for row in placed:
@@ -174,17 +182,17 @@ def test_what_was_typed_is_shown_as_text(
 
 
 def test_lines_are_added_changed_hidden_and_removed() -> None:
-    sheet = with_line(with_line(Sheet(), "a = 1"), "b = 2")
+    sheet = with_entered_line(with_entered_line(Sheet(), "a = 1"), "b = 2")
     assert [line.text for line in sheet.lines] == ["a = 1", "b = 2"]
     chosen = with_chosen_line(with_shown(sheet, False, 0), 0)
     assert chosen.entry.text == "a = 1"
-    changed = with_line(with_entry_text(chosen, "a = 3"), "a = 3")
+    changed = with_entered_line(with_entry_text(chosen, "a = 3"), "a = 3")
     assert [(line.text, line.shown) for line in changed.lines] == [("a = 3", False), ("b = 2", True)]
     assert changed.entry.text == ""
     assert changed.entry.past == ("a = 1", "b = 2", "a = 3")
     assert [line.text for line in without_line(changed, 0).lines] == ["b = 2"]
-    assert [line.text for line in with_line(with_chosen_line(changed, 1), "").lines] == ["a = 3"]
-    assert with_line(changed, "slider c = 2 from 0 to 5").slider("c").upper == 5
+    assert [line.text for line in with_entered_line(with_chosen_line(changed, 1), "").lines] == ["a = 3"]
+    assert with_entered_line(changed, "slider c = 2 from 0 to 5").slider("c").upper == 5
 
 
 def test_the_help_lists_what_begins_as_the_last_word(state: State) -> None:

@@ -1,6 +1,6 @@
 """Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
 
-from helicoide.sheet.editing import with_chosen_line, with_entry_text, with_line, with_shown, without_line
+from helicoide.sheet.editing import with_chosen_line, with_entered_line, with_entry_text, with_shown, without_line
 from helicoide.sheet.parts import (
     LONGEST_LINE,
     MOST_CHARACTERS,
@@ -29,8 +29,8 @@ __all__ = [
     "sheet_text",
     "too_long_text",
     "with_chosen_line",
+    "with_entered_line",
     "with_entry_text",
-    "with_line",
     "with_shown",
     "without_line",
 ]

@@ -8,7 +8,7 @@ from helicoide.sheet.parts import LONGEST_LINE, MOST_LINES, LineEntry, Sheet
 from helicoide.sheet.writing import sheet_of_text
 
 
-def with_line(sheet: Sheet, text: str) -> Sheet:
+def with_entered_line(sheet: Sheet, text: str) -> Sheet:
     """The sheet with a line added, or with the chosen line replaced; an empty one removes it. Raises HelicoideError.
 
     A line such as “slider a = 1 from 0 to 5” sets a slider. The text field is then empty, for a new line.

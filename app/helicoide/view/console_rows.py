@@ -16,8 +16,8 @@ from helicoide.sheet import (
     sheet_of_link,
     sheet_text,
     with_chosen_line,
+    with_entered_line,
     with_entry_text,
-    with_line,
     with_shown,
     without_line,
 )
@@ -78,7 +78,7 @@ def _entry() -> TextEntry:
         Text(en="expression", pt_BR="expressão"),
         lambda view: view.seat.sheet.entry.text,
         Text(en="Enter line", pt_BR="Inserir linha"),
-        lambda text: _changed(lambda sheet: with_line(sheet, text)),
+        lambda text: _changed(lambda sheet: with_entered_line(sheet, text)),
         lambda text: _changed(lambda sheet: with_entry_text(sheet, text)),
     )
 

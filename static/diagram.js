@@ -12,7 +12,7 @@
   window.addEventListener("pointerdown", (event) => (pressed = words(event)));
   window.addEventListener("pointerup", (event) => {
     if (!pressed || words(event) !== pressed) return;
-    const buttons = [...document.querySelectorAll('[role="tabpanel"] button')];
+    const buttons = [...document.querySelectorAll(".mantine-Button-root")];
     buttons.find((button) => button.textContent.trim() === pressed)?.click();
   });
 })();

@@ -109,7 +109,8 @@ def test_a_clip_plays_the_last_seconds_without_a_network(
     names = [f"/arm/{shape.name}" for shape in lab.shapes]
     with offline(browser, file) as clip:
         clip.wait_for_function("names => names.every(name => window.__viserMutable.nodeRefFromName[name])", arg=names)
-        clip.locator(SLOW_GL_TOAST).evaluate(HIDE)
+        for toast in clip.locator(SLOW_GL_TOAST).all():
+            toast.evaluate(HIDE)
         turned: set[float] = set()
         moving = names[-1]
 
@@ -130,7 +131,7 @@ def test_a_clip_plays_the_last_seconds_without_a_network(
         elbow = clip.evaluate(PLACE, names[3])
         shot = np.asarray(imageio.v3.imread(clip.screenshot(timeout=PATIENCE_MS)))
         assert len(np.unique(near(shot, pixels(clip, elbow)), axis=0)) > 20
-        assert len(np.unique(near(shot, (40.0, 40.0)), axis=0)) == 1
+        assert len(np.unique(near(shot, (600.0, 40.0)), axis=0)) == 1
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

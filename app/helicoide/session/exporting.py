@@ -78,22 +78,24 @@ class Exporting:
                 return PICTURE, await asyncio.to_thread(scene_picture, visitor.window.client, size)
             case SaveClip(motion):
                 visitor.window.tell(MAKING)
+                drawn = _drawn(visitor, state)
                 async with self._clips:
-                    return CLIP, await asyncio.to_thread(self._clip, visitor, state, motion)
+                    return CLIP, await asyncio.to_thread(self._clip, visitor, drawn, motion)
             case _:
                 assert_never(request)
 
-    def _clip(self, visitor: Visitor, state: State, motion: Motion | None) -> bytes:
-        """A clip of a motion, or of the last seconds of the arm that a visitor sees; its present state is the last."""
-        camera, display = visitor.window.client.camera, visitor.bay.display
-        if motion is None:
-            recent = () if display is None else tuple(display.recent)
-            states = [*(one for one in recent if one.robot is state.robot and one.t < state.t), state]
-        else:
-            states = motion_states(motion)
-        sees = states[0].robot is state.robot
-        view = (camera.position, camera.look_at) if sees else outlook(states[0].robot)
+    def _clip(self, visitor: Visitor, drawn: list[State], motion: Motion | None) -> bytes:
+        """A clip of a motion, or of the states that were drawn. Of the robot in the window it has the window's view."""
+        camera, states = visitor.window.client.camera, drawn if motion is None else motion_states(motion)
+        in_window = states[0].robot is drawn[0].robot
+        view = (camera.position, camera.look_at) if in_window else outlook(states[0].robot)
         return clip_html(self.server, states, visitor.place.seat, view)
+
+
+def _drawn(visitor: Visitor, state: State) -> list[State]:
+    """The states of the last seconds that led to this one, and this one."""
+    recent = () if visitor.bay.display is None else visitor.bay.display.recent
+    return [*(one for one in recent if one.robot is state.robot and one.t < state.t), state]
 
 
 def motion_states(motion: Motion) -> list[State]:

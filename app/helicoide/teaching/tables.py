@@ -11,6 +11,7 @@ from helicoide.arrays import Array
 from helicoide.text import Language, number_text
 
 DECIMALS = 4
+NUMBER = Markup('<td style="text-align:right">{}</td>')
 MATRIX = Markup('<table style="border-left:1px solid;border-right:1px solid">{}</table>')
 
 
@@ -29,7 +30,7 @@ def table(heads: Iterable[str], rows: Iterable[Sequence[str]]) -> Markup:
 def matrix(values: Array, language: Language) -> Markup:
     """The numbers (k,) or (k, m) between two vertical lines."""
     rows = ([decimal_text(float(x), DECIMALS, language) for x in row] for row in np.atleast_2d(values))
-    return MATRIX.format(Markup("").join(_row(Markup("<td>{}</td>"), row) for row in rows))
+    return MATRIX.format(Markup("").join(_row(NUMBER, row) for row in rows))
 
 
 def _row(cell: Markup, words: Iterable[str]) -> Markup:

@@ -128,7 +128,7 @@ def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
     page.locator("math").first.wait_for()
     motor = page.locator(".helicoide-reading").filter(has_text="end-effector motor").locator(".helicoide-grid")
     before = motor.inner_text()
-    page.get_by_label("Highlight").click()
+    page.get_by_label("Highlight", exact=True).click()
     page.get_by_role("option", name="axis of joint 3 (elbow)").click()
     shown = "() => window.__viserMutable.nodeRefFromName['/lit/lines'].visible"
     until(page, lambda: bool(page.evaluate(shown)))
@@ -138,7 +138,7 @@ def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
     until(page, lambda: abs(degrees(lab, 1) - 35) < 0.01)
     tab(page, "Algebra")
     until(page, lambda: motor.inner_text() != before)
-    page.get_by_label("Highlight").click()
+    page.get_by_label("Highlight", exact=True).click()
     page.get_by_role("option", name="none").click()
     until(page, lambda: not page.evaluate(shown))
 

@@ -66,7 +66,7 @@ def rows(robot: Robot) -> list[Row]:
         code_rows(),
         notation_rows(),
         playground_rows(),
-        *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)], open=False)] if robot.panes else []),
+        *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)])] if robot.panes else []),
         *(
             Folder(title, [HtmlRow(partial(_all, kind), computed=True)], open=kind == "tool")
             for kind, title in KINDS.items()

@@ -173,6 +173,19 @@ def test_a_stop_or_a_way_home_is_no_setpoint(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.degrees(recording.samples.q[:, 0]), [10.0, 20.0], atol=1e-5)
 
 
+@pytest.mark.parametrize("wrong", [np.nan, np.inf, -1e308])
+def test_samples_with_unusable_values_or_the_time_of_another_are_left_out(wrong: float, tmp_path: Path) -> None:
+    store = definitions(Stores.ROS2_HUMBLE)
+    messages = joint_states(store, ["J1", "J2", "J3", "J4", "J5"])
+    messages[3][3].position[2] = wrong  # type: ignore[attr-defined]
+    messages.append((*messages[5][:3], messages[6][3]))
+    recording = read(next(write_bag2(tmp_path / "run", store, messages, StoragePlugin.MCAP).glob("*.mcap")))
+    np.testing.assert_array_equal(recording.samples.q, np.delete(ANGLES, 3, axis=0))
+    (note,) = recording.notes
+    assert note.en.startswith("Left out")
+    assert "2 of 41" in note.en
+
+
 def test_a_bag_of_other_joints_is_refused(tmp_path: Path) -> None:
     recording = read(bag1(tmp_path, lambda store: joint_states(store, ["a", "b", "c", "d", "J1"])))
     with pytest.raises(HelicoideError, match="has the joints a, b, c, d, J1"):

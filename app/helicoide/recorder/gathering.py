@@ -31,6 +31,7 @@ OWN_TOPICS = {
     mcap_file.METHOD,
     mcap_file.STATUS,
 }
+MOST_PLANES, FARTHEST_PLANE = 200, 1e4  # m
 NOTHING = Text(
     en="there are no two samples of joints in it; read are sensor_msgs/JointState, movemaster_msg/setpoint and "
     "movemaster_msg/status",
@@ -38,8 +39,8 @@ NOTHING = Text(
     "e movemaster_msg/status",
 )
 LEFT_OUT = Text(
-    en="Left out, without finite joint values or with the time of another: {n} of {all} samples.",
-    pt_BR="Descartadas, sem valores finitos de junta ou com o instante de outra: {n} de {all} amostras.",
+    en="Left out, without usable joint values or with the time of another: {n} of {all} samples.",
+    pt_BR="Descartadas, sem valores úteis de junta ou com o instante de outra: {n} de {all} amostras.",
 )
 
 
@@ -132,16 +133,27 @@ def _content(topic: str, message: Any) -> Any:
     if topic == mcap_file.PLANES:
         return _planes(message)
     if topic == mcap_file.GRIPPER:
-        return float(message.data)
-    return Text(**json.loads(message.data)) if topic == mcap_file.STATUS else str(message.data)
+        return min(max(float(message.data), 0.0), 1.0)
+    if topic == mcap_file.STATUS:
+        said = json.loads(message.data)
+        return Text(en=str(said["en"]), pt_BR=str(said["pt_BR"]))
+    return str(message.data)
 
 
 def _planes(message: Any) -> Planes:
-    """The planes of a message: of each marker that is drawn, its z axis, its position and its extent."""
+    """The planes of a message: of each marker that is drawn, its z axis, its position and its extent.
+
+    Raises ValueError for planes that cannot be drawn: too many, or not of finite numbers.
+    """
     drawn = [marker for marker in message.markers if marker.action == type(marker).ADD]
     centres = frozen([[m.pose.position.x, m.pose.position.y, m.pose.position.z] for m in drawn]).reshape(-1, 3)
     turns = [[getattr(m.pose.orientation, part) for part in "wxyz"] for m in drawn]
     normals = frozen([rotation.to_matrix(np.array(turn))[:, 2] for turn in turns]).reshape(-1, 3)
+    sizes = np.array([[m.scale.x, m.scale.y] for m in drawn]).reshape(-1, 2)
+    lengths = np.linalg.norm(normals, axis=1)
+    near = (np.abs(np.hstack([centres, sizes])) < FARTHEST_PLANE).all()  # not NaN either
+    if len(drawn) > MOST_PLANES or not near or not (np.abs(lengths - 1) < 1e-6).all():
+        raise ValueError("no planes")
     panes = tuple(
         PlanePane(m.ns, untranslated(m.ns), normal, float(normal @ centre), centre, (m.scale.x, m.scale.y), False)
         for m, normal, centre in zip(drawn, normals, centres, strict=True)

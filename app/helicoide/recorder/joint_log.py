@@ -1,4 +1,4 @@
-"""Joint values as they come out of a file, and what is left of them: finite, in order, no time twice."""
+"""Joint values as they come out of a file, and what is left of them: usable, in order, no time twice."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from helicoide.recorder.recording import JointSamples
 from helicoide.text import HelicoideError, Text
 
 MOST_SAMPLES, MOST_JOINTS = 400_000, 64
+LARGEST_VALUE = 1e4  # rad or m
 TOO_MANY = Text(
     en="it has more than {most} samples, or more than {joints} joints",
     pt_BR="tem mais de {most} amostras, ou mais de {joints} juntas",
@@ -38,10 +39,11 @@ class JointLog:
         self.velocities.append(_row(velocities, n))
 
     def kept(self) -> NDArray[np.intp]:
-        """Which samples are used, in order of time: those with finite joint values, the first of each time."""
-        finite = np.flatnonzero(np.isfinite(np.array(self.q).reshape(len(self.ns), -1)).all(axis=1))
-        _, first = np.unique(np.array(self.ns, dtype=np.int64)[finite], return_index=True)
-        return finite[first]
+        """Which samples are used, in order of time: those with usable joint values, the first of each time."""
+        usable = np.abs(np.array(self.q).reshape(len(self.ns), -1)) < LARGEST_VALUE  # not NaN either
+        known = np.flatnonzero(usable.all(axis=1))
+        _, first = np.unique(np.array(self.ns, dtype=np.int64)[known], return_index=True)
+        return known[first]
 
     def samples(self, start: int) -> JointSamples:
         """The samples that are used, with times in s from `start`, ns."""

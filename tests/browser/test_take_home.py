@@ -79,7 +79,7 @@ def offline(browser: Browser, file: Path) -> Iterator[Page]:
     try:
         page = context.new_page()
         page.on("request", lambda request: asked.append(request.url))
-        page.goto(f"{file.as_uri()}?fixedDpr=0.5")
+        page.goto(f"{file.as_uri()}?fixedDpr=0.25")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         yield page
     finally:
@@ -106,6 +106,7 @@ def test_a_clip_plays_the_last_seconds_without_a_network(
     seen = {round(float(one.arm.q[0]), 6) for one in lab.display.recent}
     file = saved(page, CLIP.en, tmp_path)
     assert len(seen) > 3
+    page.close()  # it would draw beside the clip
     names = [f"/arm/{shape.name}" for shape in lab.shapes]
     with offline(browser, file) as clip:
         clip.wait_for_function("names => names.every(name => window.__viserMutable.nodeRefFromName[name])", arg=names)
@@ -117,12 +118,11 @@ def test_a_clip_plays_the_last_seconds_without_a_network(
         def pose() -> float:
             return round(float(clip.evaluate(PLACE, moving)[0]), 4)
 
-        for _ in range(200):
+        def moves() -> bool:
             turned.add(pose())
-            clip.wait_for_timeout(20)
-            if len(turned) > 3:
-                break
-        assert len(turned) > 3
+            return len(turned) > 2
+
+        until(clip, moves)
         clip.keyboard.press("Space")
         clip.wait_for_timeout(500)
         still = pose()
@@ -130,7 +130,7 @@ def test_a_clip_plays_the_last_seconds_without_a_network(
         assert pose() == still
         elbow = clip.evaluate(PLACE, names[3])
         shot = np.asarray(imageio.v3.imread(clip.screenshot(timeout=PATIENCE_MS)))
-        assert len(np.unique(near(shot, pixels(clip, elbow)), axis=0)) > 20
+        assert len(np.unique(near(shot, pixels(clip, elbow)), axis=0)) > 10
         assert len(np.unique(near(shot, (600.0, 40.0)), axis=0)) == 1
 
 

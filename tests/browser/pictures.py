@@ -64,7 +64,7 @@ def ask_for(page: Page, millimetres: tuple[int, int, int]) -> None:
 
 def light_up(page: Page, reading: str) -> None:
     """Choose the multivector that the Algebra tab and the scene highlight."""
-    page.get_by_label("Highlight").click()
+    page.get_by_label("Highlight", exact=True).click()
     page.get_by_role("option", name=reading).click()
 
 

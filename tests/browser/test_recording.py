@@ -133,6 +133,8 @@ def test_two_windows_see_that_the_arm_is_recorded(lab: Lab, shared_page: Page, o
     press(shared_page, "Record the arm")
     expect(other.get_by_role("button", name="End recording")).to_be_visible()
     expect(other.locator(".helicoide-recording")).to_be_visible()
+    lab.post(gate.set_joint(0, 0.15))
+    until(shared_page, lambda: abs(lab.state.arm.q[0] - 0.15) < 1e-3)
     press(other, "End recording")
     expect(shared_page.get_by_role("button", name="Record the arm")).to_be_visible()
     name = until_listed(lab, shared_page)

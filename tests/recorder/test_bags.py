@@ -232,6 +232,11 @@ def reason(path: Path) -> str:
     return text.en.removeprefix(f"{path.name} cannot be read: ").partition(". Valid")[0]
 
 
+def test_a_recording_of_an_arm_at_rest_is_refused(tmp_path: Path) -> None:
+    recorded(moved()[:1], tmp_path / "rest.mcap")
+    assert reason(tmp_path / "rest.mcap") == "the arm did not move while it was recorded"
+
+
 @pytest.mark.parametrize("ending", [".mcap", ".bag", ".db3", ".zip"])
 @pytest.mark.parametrize("content", [b"", b"\0" * 100, b"hello", b"PK\x03\x04", b"\x89MCAP0\r\n", b"#ROSBAG V2.0\n"])
 def test_a_foreign_file_is_refused(ending: str, content: bytes, tmp_path: Path) -> None:

@@ -38,6 +38,7 @@ NOTHING = Text(
     pt_BR="não há nele duas amostras de juntas; são lidas as mensagens sensor_msgs/JointState, movemaster_msg/setpoint "
     "e movemaster_msg/status",
 )
+UNMOVED = Text(en="the arm did not move while it was recorded", pt_BR="o braço não se moveu enquanto era gravado")
 LEFT_OUT = Text(
     en="Left out, without usable joint values or with the time of another: {n} of {all} samples.",
     pt_BR="Descartadas, sem valores úteis de junta ou com o instante de outra: {n} de {all} amostras.",
@@ -83,7 +84,7 @@ class Gathering:
         arm, log, setpoints = self._measured()
         kept = log.kept()
         if len(kept) < 2:
-            raise HelicoideError(NOTHING)
+            raise HelicoideError(NOTHING if self.own is None else UNMOVED)
         ns = np.array(log.ns, dtype=np.int64)[kept]
         start, left_out = int(ns[0]), len(log.ns) - len(kept)
         if left_out:

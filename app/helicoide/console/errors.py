@@ -20,6 +20,10 @@ class ExpressionError(HelicoideError):
         super().__init__(AT.format(column=start + 1, what=what))
         self.what, self.start, self.end = what, start, max(end, start + 1)
 
+    def without_trace(self) -> ExpressionError:
+        """The same error to keep: it holds no frames, which would keep all that the parser and the evaluation used."""
+        return ExpressionError(self.what, self.start, self.end)
+
     def __reduce__(self) -> tuple[type[ExpressionError], tuple[Text, int, int]]:  # type: ignore[override]
         return type(self), (self.what, self.start, self.end)
 

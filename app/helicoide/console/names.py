@@ -53,7 +53,7 @@ def _parsed(texts: tuple[str, ...]) -> tuple[ParsedLine | ExpressionError | None
         try:
             found.append(parse_line(text))
         except ExpressionError as error:
-            found.append(error)
+            found.append(error.without_trace())
     return tuple(found)
 
 

@@ -65,7 +65,7 @@ def _result(line: Parsed, below: tuple[Parsed, ...], next_number: int, scope: Sc
         _check_order(line, below, next_number, scope)
         return LineResult(name, evaluate(line.expression, scope))
     except ExpressionError as error:
-        return LineResult(name, error=error)
+        return LineResult(name, error=error.without_trace())
 
 
 def _check_order(line: ParsedLine, below: tuple[Parsed, ...], next_number: int, scope: Scope) -> None:

@@ -93,8 +93,10 @@ def test_a_hidden_layer_sends_nothing_while_the_arm_moves(server: viser.ViserSer
     before = len(server.scene._handle_from_node_name)
     built.update(showing(state), showing(at("movemaster", 2)))
     assert len(server.scene._handle_from_node_name) == before
-    own = [node for name, node in server.scene._handle_from_node_name.items() if name.startswith(f"/{layer.NAME}/")]
-    assert [node.name for node in own if node.visible] == []
+    nodes = server.scene._handle_from_node_name
+    hidden = [name for name, node in nodes.items() if not node.visible]
+    own = [name for name in nodes if name.startswith(f"/{layer.NAME}/")]
+    assert [name for name in own if not any(f"{name}/".startswith(f"{other}/") for other in hidden)] == []
 
 
 @each_arm

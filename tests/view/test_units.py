@@ -30,6 +30,9 @@ PURE = (
     "points per link",
     "steepness k",
     "share of the range",
+    "Axis of q₁",
+    "Axis of q₂",
+    "Way from q₁ to q₂, t",
 )
 # In brackets, or after the value. The folder of the joints says “Joints [°]”.
 UNIT = re.compile(r"\[.+\]|: \S+ \S+|^\d ")

@@ -11,7 +11,8 @@ from helicoide.arrays import Array
 from helicoide.kinematics.manipulability import Ellipsoid
 from helicoide.state import State
 from helicoide.text import Text
-from helicoide.view.figures import Colour, Names, Segments
+from helicoide.view.colours import Colour
+from helicoide.view.figures import Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.pose import place_node

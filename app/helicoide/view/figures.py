@@ -10,13 +10,9 @@ import viser
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
+from helicoide.view.colours import Colour
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_point
-
-Colour = tuple[int, int, int]
-# The colours of Okabe and Ito 2008, which people with any colour vision can tell from each other.
-BLUE, ORANGE, GREEN, PURPLE = (0, 114, 178), (230, 159, 0), (0, 158, 115), (204, 121, 167)
-VERMILLION, SKY, GREY = (213, 94, 0), (86, 180, 233), (120, 120, 120)
 
 
 class Segments:

@@ -15,6 +15,7 @@ from helicoide.geometry import incidence, rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.text import Text
+from helicoide.view.colours import GREEN
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
 from helicoide.view.rows import View
@@ -29,7 +30,7 @@ SAID = Text(
     pt_BR="Os pontos, retas, planos e motores (como referenciais) que as linhas do console dão, com seus nomes.",
 )
 
-COLOUR = (0, 137, 123)
+COLOUR = GREEN
 DRAWN = ("point", "line", "plane", "motor")
 FARTHEST, LARGEST = 1e4, 1e9  # m, and of a coefficient; the scene draws nothing beyond
 

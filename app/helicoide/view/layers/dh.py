@@ -12,7 +12,8 @@ from helicoide.kinematics.dh_parts import DhParts, dh_parts
 from helicoide.kinematics.forward import dh_frames
 from helicoide.state import State
 from helicoide.text import Language, Text
-from helicoide.view.figures import BLUE, GREEN, ORANGE, PURPLE, FrameSet, Names, Segments, polyline
+from helicoide.view.colours import BLUE, GREEN, ORANGE, PURPLE
+from helicoide.view.figures import FrameSet, Names, Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import View

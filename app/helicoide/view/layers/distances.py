@@ -7,7 +7,8 @@ import numpy as np
 from helicoide import readout
 from helicoide.confinement import Zone
 from helicoide.text import Text
-from helicoide.view.figures import BLUE, ORANGE, VERMILLION, Names, Segments
+from helicoide.view.colours import BLUE, ORANGE, VERMILION
+from helicoide.view.figures import Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import View
@@ -25,7 +26,7 @@ SAID = Text(
 )
 
 # Colours, and thicknesses, × size, m.
-STYLES = {Zone.FREE: (BLUE, 0.002), Zone.WARNING: (ORANGE, 0.004), Zone.CRITICAL: (VERMILLION, 0.007)}
+STYLES = {Zone.FREE: (BLUE, 0.002), Zone.WARNING: (ORANGE, 0.004), Zone.CRITICAL: (VERMILION, 0.007)}
 MILLIMETRES = Text(en="{mm:.0f} mm", pt_BR="{mm:.0f} mm")
 
 

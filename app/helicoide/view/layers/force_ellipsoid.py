@@ -9,8 +9,8 @@ from helicoide.arrays import Array
 from helicoide.kinematics.manipulability import Ellipsoid
 from helicoide.state import State
 from helicoide.text import Text
+from helicoide.view.colours import VERMILION
 from helicoide.view.ellipsoid_layer import EllipsoidLayer
-from helicoide.view.figures import VERMILLION
 from helicoide.view.layers import Stage
 
 NAME = "force_ellipsoid"
@@ -31,7 +31,7 @@ NEWTONS_BALANCED = Text(en="{value:.2f} N", pt_BR="{value:.2f} N")
 
 def build(stage: Stage) -> EllipsoidLayer:
     """The layer."""
-    return EllipsoidLayer(stage, NAME, VERMILLION, force_semi_axes, NEWTONS_BALANCED)
+    return EllipsoidLayer(stage, NAME, VERMILION, force_semi_axes, NEWTONS_BALANCED)
 
 
 def force_semi_axes(state: State) -> tuple[Ellipsoid, Array]:

@@ -12,7 +12,7 @@ from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.self_motion import Rows, freest_joint, self_motion_step
 from helicoide.text import Text
-from helicoide.view.figures import PURPLE
+from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.outline import Outline

@@ -10,7 +10,8 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.state import Plan, State
 from helicoide.text import Text
 from helicoide.trajectory.spline import JointSpline
-from helicoide.view.figures import SKY, Segments, polyline
+from helicoide.view.colours import SKY
+from helicoide.view.figures import Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.outline import Outline

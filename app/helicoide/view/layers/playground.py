@@ -13,6 +13,7 @@ from helicoide.geometry.quaternion_paths import lerp, slerp
 from helicoide.seat import AxisAngle, Playground, Seat, SeatUpdate
 from helicoide.text import Text
 from helicoide.view import bind
+from helicoide.view.colours import BLUE, GREEN, GREY, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForSeat, View
 
@@ -28,7 +29,7 @@ SAID = Text(
     "q₂q₁.",
 )
 
-FIRST, SECOND, SLERP, LERP, BALL = (0, 114, 178), (0, 158, 115), (0, 114, 178), (213, 94, 0), (150, 150, 160)
+FIRST, SECOND, SLERP, LERP, BALL = BLUE, GREEN, BLUE, VERMILION, GREY
 RADIUS, LEFT, UP = 0.26, -0.75, 0.45  # × size, m: radius of the ball, and where its centre is
 STEPS, DOTS = 48, 10
 SAME = 1 - 1e-12  # |q·p| above which q and p are the same rotation

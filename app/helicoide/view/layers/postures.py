@@ -15,7 +15,8 @@ from helicoide.kinematics.robot import Robot
 from helicoide.state import PostureList
 from helicoide.text import Text
 from helicoide.view import bind
-from helicoide.view.figures import GREEN, GREY, Names
+from helicoide.view.colours import GREEN, GREY
+from helicoide.view.figures import Names
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import ForArm, ListPostures, View

@@ -9,6 +9,7 @@ from helicoide.arrays import Array
 from helicoide.confinement import Planes, pane_axes
 from helicoide.recorder.panel_state import RecordingPanelState
 from helicoide.recorder.read_back import ReadBack, poses_at
+from helicoide.view.colours import GREEN, ORANGE
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border
 from helicoide.view.outline import Outline
@@ -17,7 +18,7 @@ from helicoide.view.rows import View
 NAME = "recorded"
 SHARED = False
 
-COLOUR, SENT, PLANES = (94, 53, 177), (0, 131, 143), (126, 87, 194)
+COLOUR, SENT, PLANES = ORANGE, GREEN, ORANGE
 NO_LINE = np.zeros((1, 2, 3), np.float32)
 
 

@@ -12,6 +12,7 @@ from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.readout import DrawnScrew
 from helicoide.text import Text
+from helicoide.view.colours import BLUE, GREY, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -25,7 +26,7 @@ SAID = Text(
     pt_BR="O eixo helicoidal, a hélice da base (ou do zero da junta) até o objeto e o ângulo φ como um arco.",
 )
 
-AXIS, HELIX, ARC = (90, 90, 90), (0, 114, 178), (213, 94, 0)
+AXIS, HELIX, ARC = GREY, BLUE, VERMILION
 FAR = 6.0  # an axis farther than this from the origin, × reach, is not drawn: the motion is almost a translation
 HALF = 0.5  # length of the axis on both sides of the helix, × reach
 

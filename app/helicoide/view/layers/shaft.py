@@ -11,7 +11,8 @@ from helicoide.ik import EntryPoint
 from helicoide.kinematics.dh_parts import arc
 from helicoide.state import State
 from helicoide.text import Text
-from helicoide.view.figures import GREY, PURPLE, SKY, Names, Segments, polyline
+from helicoide.view.colours import GREY, PURPLE, SKY
+from helicoide.view.figures import Names, Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import View

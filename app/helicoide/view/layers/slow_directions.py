@@ -6,7 +6,8 @@ import numpy as np
 
 from helicoide import readout
 from helicoide.text import Text
-from helicoide.view.figures import ORANGE, VERMILLION, Segments
+from helicoide.view.colours import ORANGE, VERMILION
+from helicoide.view.figures import Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import View
@@ -36,7 +37,7 @@ class SlowDirectionsLayer(OptionalLayer):
 
     def __init__(self, stage: Stage, name: str) -> None:
         super().__init__(stage, name)
-        self.linear = Segments(stage, f"/{name}/linear", VERMILLION, 0.012)
+        self.linear = Segments(stage, f"/{name}/linear", VERMILION, 0.012)
         self.angular = Segments(stage, f"/{name}/angular", ORANGE, 0.005)
 
     def depends(self, view: View) -> tuple[object, ...]:

@@ -6,7 +6,8 @@ import numpy as np
 
 from helicoide import readout
 from helicoide.text import Text
-from helicoide.view.figures import BLUE, GREY, Arrows, Names, Segments
+from helicoide.view.colours import BLUE, GREY
+from helicoide.view.figures import Arrows, Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import View

@@ -7,8 +7,8 @@ from helicoide.arrays import Array
 from helicoide.kinematics.manipulability import Ellipsoid
 from helicoide.state import State
 from helicoide.text import Text
+from helicoide.view.colours import BLUE
 from helicoide.view.ellipsoid_layer import EllipsoidLayer
-from helicoide.view.figures import BLUE
 from helicoide.view.layers import Stage
 
 NAME = "velocity_ellipsoid"

@@ -8,7 +8,8 @@ from helicoide import gate, readout
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
-from helicoide.view.figures import GREEN, ORANGE, PURPLE, Arrows, Names, Segments
+from helicoide.view.colours import GREEN, ORANGE, PURPLE
+from helicoide.view.figures import Arrows, Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.rows import ForSeat, PageRequest, Row, VectorRow, View

@@ -16,12 +16,13 @@ from tests.notebooks import ran
 
 from helicoide import gate, readout
 from helicoide.arrays import frozen
+from helicoide.console.scene_names import scene_names
 from helicoide.export.notebook import NotebookCell, notebook_file
 from helicoide.export.scene_notebook import scene_notebook
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load_robot
 from helicoide.state import State, initial_state, with_joints
-from helicoide.text import LANGUAGES, Text
+from helicoide.text import LANGUAGES, Text, untranslated
 
 COMPARED = """
 import json
@@ -65,8 +66,10 @@ def test_the_values_are_those_of_the_state(robot: str, seconds: float, tmp_path:
     found = values_of(state, tmp_path)
     np.testing.assert_array_equal(found["q"], state.arm.q)
     np.testing.assert_allclose(found["T"], state.T_world_tool, atol=1e-12)
-    for reading in readout.readings(state):
-        np.testing.assert_allclose(found["multivectors"][reading.key], reading.at(state), atol=1e-12)
+    named = {name: one.at(state) for name, one in scene_names(state).items()}
+    for name, coefficients in found["multivectors"].items():
+        np.testing.assert_allclose(coefficients, named[name].values, atol=1e-12)
+    assert {"M_tool", "L1", "M_link1"} <= found["multivectors"].keys()
     np.testing.assert_allclose(found["distances"], readout.plane_distances(state), atol=1e-12)
     np.testing.assert_allclose(found["target"], readout.target_pose(state), atol=1e-15)
     assert (found["method"], found["damping"]) == ("damped", 0.125)
@@ -85,16 +88,19 @@ def test_names_are_data(language: Any) -> None:
     """Quotes and line ends in the name of a plane or a robot stay inside their strings."""
     hostile = '\'); raise SystemExit #\n"""\\'
     state = initial_state(load_robot("movemaster"))
-    panes = tuple(replace(pane, name=hostile + pane.name) for pane in state.problem.planes.panes)
+    panes = tuple(
+        replace(pane, name=hostile + pane.name, title=untranslated(hostile)) for pane in state.problem.planes.panes
+    )
     robot = replace(state.robot, name=hostile, title=Text(en=hostile, pt_BR=hostile))
     problem = replace(state.problem, robot=robot, planes=replace(state.problem.planes, panes=panes))
-    notebook = nbformat.reads(scene_notebook(replace(state, problem=problem), language).decode(), as_version=4)
+    state = replace(state, problem=problem)
+    notebook = nbformat.reads(scene_notebook(state, language).decode(), as_version=4)
     nbformat.validate(notebook)
     first, planes, *_ = (ast.parse(cell.source) for cell in notebook.cells if cell.cell_type == "code")
     called = [node for node in ast.walk(first) if isinstance(node, ast.Call)]
     assert [ast.unparse(call.func) for call in called] == ["helicoide.robot"]
     keys = [key.value for node in ast.walk(planes) if isinstance(node, ast.Dict) for key in node.keys]  # type: ignore[union-attr]
-    assert keys == [pane.name for pane in panes]
+    assert keys == ["plane_1", "plane_2", "plane_3", "plane_4"]
 
 
 def test_it_is_made_from_any_state() -> None:

@@ -33,6 +33,12 @@ def scene_names(state: State) -> dict[str, SceneName]:
     return _names(state.robot, state.problem.planes.panes)
 
 
+def plane_names(state: State) -> tuple[str, ...]:
+    """The names of the planes of a state, in their order."""
+    names = tuple(scene_names(state))
+    return names[len(names) - len(state.problem.planes.panes) :]
+
+
 @lru_cache(maxsize=128)  # as many as the readings of the Algebra tab
 def _names(robot: Robot, panes: tuple[PlanePane, ...]) -> dict[str, SceneName]:
     found: dict[str, SceneName] = {}

@@ -8,6 +8,7 @@ from pathlib import Path
 from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.command import FollowPath, MoveToJoints, MoveToPose
+from helicoide.console.scene_names import plane_names
 from helicoide.content import content_folders
 from helicoide.export.notebook import NotebookCell, notebook_file
 from helicoide.export.study_table import localized_number
@@ -97,8 +98,8 @@ def _robot(robot: Robot, language: Language) -> str:
 def _planes(state: State) -> Iterator[str]:
     planes = state.problem.planes
     yield "planes = {"
-    for pane, normal, offset in zip(planes.panes, planes.normals.tolist(), planes.offsets.tolist(), strict=True):
-        yield f"    {pane.name!r}: helicoide.plane({normal}, {offset}),"
+    for name, normal, offset in zip(plane_names(state), planes.normals.tolist(), planes.offsets.tolist(), strict=True):
+        yield f"    {name!r}: helicoide.plane({normal}, {offset}),"
     yield "}"
 
 

@@ -63,10 +63,10 @@ def window(
     path: str = "/",
     first: bool = False,
 ) -> Iterator[Page]:
-    """Open a window on a port, with one of SIZES; it is drawn, connected and without notifications. A phone has touch.
+    """Open a window on a port, with one of SIZES; it is drawn, may drive, and is without notifications.
 
-    first: whether this is the browser's first visit, so that the hint is shown; log: gets the lines of the page's
-    console, including errors.
+    A phone has touch. first: whether this is the browser's first visit, so that the hint is shown; log: gets the lines
+    of the page's console, including errors.
     """
     lines = [] if log is None else log
     width, height = SIZES[size]
@@ -76,6 +76,7 @@ def window(
     context.set_default_timeout(PATIENCE_MS)
     if not first:
         context.add_init_script("localStorage.setItem('helicoide-hint-closed', 'yes')")
+    context.add_init_script("window.addEventListener('helicoide-drives', () => { window.drives = true; })")
     try:
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))
@@ -83,6 +84,7 @@ def window(
         page.goto(f"http://127.0.0.1:{port}{path}?fixedDpr=0.25")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         page.wait_for_selector("#helicoide-stop[data-link=up]")
+        page.wait_for_function("() => window.drives")
         page.locator(SLOW_GL_TOAST).evaluate(HIDE)
         yield page
     finally:

@@ -86,7 +86,7 @@ class Lab:
         """Wait until every window has the rows of the current robot: what is typed into older rows is lost."""
         until(page, lambda: all(one.robot is self.state.robot and not one._busy.locked() for one in self.windows))
         last = len(self.state.robot.variables)
-        page.get_by_text(f"{last} {self.state.robot.variables[-1].title.en}").first.wait_for()
+        page.get_by_text(f"{last} {self.state.robot.variables[-1].title.en}").first.wait_for(state="attached")
 
     def post(self, update: Update) -> None:
         """Apply an update without the page, to prepare a test."""

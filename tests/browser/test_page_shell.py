@@ -270,7 +270,9 @@ def test_a_stuck_server_is_told(control: ControlChannel, open_page: OpenPage) ->
 def test_before_anyone_said_a_language_the_browsers_counts(control: ControlChannel, browser: Browser) -> None:
     served = serve("127.0.0.1", 0, STATIC, {PATH: control.serve})
     try:
-        with window(browser, served.get_port(), locale="pt-BR") as page:
+        with browser.new_context(locale="pt-BR") as context:
+            page = context.new_page()
+            page.goto(f"http://127.0.0.1:{served.get_port()}/")
             expect(page.locator("#helicoide-stop-label")).to_have_text("Parar o movimento")
             expect(page.locator("html")).to_have_attribute("lang", "pt-BR")
     finally:

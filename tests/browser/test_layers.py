@@ -17,8 +17,10 @@ from helicoide import gate
 from helicoide.arrays import frozen
 from helicoide.contributions.trials import with_joints
 from helicoide.kinematics import workspace
+from helicoide.seat import SeatUpdate, Selection
 from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures
+from helicoide.sheet import Sheet, SheetLine
 from helicoide.state import ComparedArm, FittedCloud, State, WorkspaceMaps, initial_state
 from helicoide.text import Text
 from helicoide.view import layers
@@ -69,12 +71,17 @@ PREPARED: dict[str, Callable[[State], State]] = {
     "distances": gate.add_obstacle(),
     "shaft": gate.enforce_entry(True),
 }
+SEATED: dict[str, SeatUpdate] = {
+    "screw": lambda seat: seat.inspecting(Selection("tool")),
+    "console": lambda seat: replace(seat, sheet=Sheet((SheetLine("M_tool"), SheetLine("L2"), SheetLine("ceiling")))),
+}
 OF_ANOTHER_ARM = {"shaft": "dia10_rod"}
 
 
 @pytest.fixture(scope="module")
 def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
+    until(shared_page, lambda: bool(lab.windows))
     drawn(lab, shared_page, lab.session.view(lab.windows[-1]))  # the first pictures differ, until all is loaded
     return shared_page
 
@@ -123,6 +130,7 @@ def test_pixels_change_where_the_layer_is_and_nowhere_else(lab: Lab, page: Page,
     load(lab, page, OF_ANOTHER_ARM.get(name, "movemaster"))
     state = PREPARED.get(name, lambda state: state)(initial_state(lab.state.robot))
     view = replace(lab.session.view(lab.windows[-1]), state=state, time=0.0)
+    view = replace(view, seat=SEATED.get(name, lambda seat: seat)(view.seat))
     without = drawn(lab, page, only(view, None))
     if name == "trail":
         for way in np.linspace(0.0, 0.5, 20):

@@ -101,6 +101,6 @@ def test_html_is_the_text_in_the_colours_of_the_grades(data: st.DataObject, pqr:
 
 
 def test_colours_are_those_of_the_page() -> None:
-    style = (STATIC / "helicoide.css").read_text("utf-8")
-    colours = re.findall(r"^\.g(\d) { --grade: (#\w+); }", style, re.M)
+    light, _ = (STATIC / "panel.css").read_text("utf-8").split("}", 1)
+    colours = re.findall(r"--grade-(\d): (#\w+);", light)
     assert [colour for grade, colour in colours if grade != "0"] == list(notation.GRADE_COLOURS[1:])

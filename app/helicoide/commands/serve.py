@@ -77,4 +77,5 @@ def _close(lab: Lab) -> None:
     warnings.simplefilter("ignore")  # from viser, about drawing while its server stops
     lab.close()
     kill_processes()
+    sys.setswitchinterval(CLOSE_TIMEOUT)  # a thread that still loads kernels would add to what is being ended here
     atexit._run_exitfuncs()

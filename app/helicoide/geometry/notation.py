@@ -16,7 +16,7 @@ BladeNaming = Literal["factors", "compact"]
 """Names of blades: e1e2e as in the sources, or as in modern texts e12, with the null generator in front, e012."""
 
 DECIMALS = 3
-# By grade, as in static/helicoide.css; a scalar has the colour of the text around it.
+# By grade, as in static/panel.css for the light look; a scalar has the colour of the text around it.
 GRADE_COLOURS = ("inherit", "#1864ab", "#c2255c", "#237032", "#7048e8")
 # With three generators that are not null, bivectors are named in the order of the axes about which they rotate.
 CYCLIC: dict[BladeNaming, tuple[str, ...]] = {

@@ -53,10 +53,11 @@ def choose(page: Page, label: str, option: str) -> None:
     page.get_by_role("option", name=option, exact=True).click()
 
 
-def move(lab: Lab, page: Page, along: float = 0.05) -> None:
-    """Move the arm until a second of it is sampled."""
+def move(lab: Lab, page: Page) -> None:
+    """Move the arm, away from the nearer wall, until several of its states are sampled."""
     T, before = lab.state.T_world_tool, len(history(lab).times)
-    lab.post(gate.set_target(T[:3, 3] + np.array([0.0, along, 0.0]), [1.0, 0.0, 0.0, 0.0]))
+    away = np.array([0.0, -0.05 if T[1, 3] > 0.0 else 0.05, 0.0])
+    lab.post(gate.set_target(T[:3, 3] + away, [1.0, 0.0, 0.0, 0.0]))
     until(page, lambda: len(history(lab).times) > before + 5)
 
 
@@ -85,7 +86,7 @@ def test_the_saved_file_has_the_values_of_the_state(lab: Lab, page: Page) -> Non
     press(page, "Pause charts")
     expect(page.get_by_role("button", name="Resume charts")).to_be_visible()
     with patch.object(lab.windows[-1].client, "send_file_download") as sent:
-        press(page, "Save as CSV")
+        press(page, "Save charts as CSV")
         until(page, lambda: sent.call_count == 1)
     name, content = sent.call_args.args
     assert name == FILE
@@ -106,7 +107,7 @@ def test_a_phase_plane_is_a_figure_and_two_methods_share_a_chart(lab: Lab, page:
         page.locator(".helicoide-chart").filter(has_text="Phase plane dᵢ × σᵢ").locator("svg[role=img]")
     ).to_be_visible()
     choose(page, "Signals", "Errors")
-    move(lab, page, -0.05)
+    move(lab, page)
     legend = page.locator(".uplot .u-legend").first
     expect(legend.get_by_text("e_p, damped least squares")).to_be_visible()
     expect(legend.get_by_text("e_p, filtered inverse")).to_be_visible()

@@ -73,7 +73,7 @@ PREPARED: dict[str, Callable[[State], State]] = {
 }
 SEATED: dict[str, SeatUpdate] = {
     "screw": lambda seat: seat.inspecting(Selection("tool")),
-    "console": lambda seat: replace(seat, sheet=Sheet((SheetLine("M_tool"), SheetLine("L2"), SheetLine("ceiling")))),
+    "console": lambda seat: replace(seat, sheet=Sheet((SheetLine("M_tool"), SheetLine("L2")))),
 }
 OF_ANOTHER_ARM = {"shaft": "dia10_rod"}
 

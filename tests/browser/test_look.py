@@ -87,8 +87,8 @@ def test_a_link_shows_its_view_in_another_window_and_moves_nothing(lab: Lab, pag
     press(page, "Top")
     until(page, lambda: eye(page)[1] > 1.0)  # three.js: y is upward
     there = eye(page)
-    lab.post(gate.set_joint(0, 0.4))
-    until(page, lambda: abs(lab.state.arm.q[0] - 0.4) < 1e-3)
+    lab.post(gate.set_joint(0, 0.3))
+    until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-3)
     press(page, "Copy link to this view")
     page.wait_for_function("location.hash.endsWith('&end=1')")
     fragment = page.evaluate("location.hash")
@@ -103,7 +103,7 @@ def test_a_link_shows_its_view_in_another_window_and_moves_nothing(lab: Lab, pag
         assert lab.state.arm.q is q
         assert lab.state.request.command == HoldPosition()
         other.get_by_role("button", name="Ir à postura do link").click()
-        until(other, lambda: abs(lab.state.arm.q[0] - 0.4) < 1e-3)
+        until(other, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-3)
         expect(other.get_by_role("button", name="Ir à postura do link")).to_have_count(0)
         assert other.evaluate("location.hash") == ""
     page.evaluate("window.helicoideShare('')")

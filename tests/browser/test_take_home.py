@@ -177,9 +177,9 @@ def test_the_lab_runs_in_a_frame_of_a_notebook(browser: Browser) -> None:
             page.goto(address)
             page.frame_locator("iframe").locator("#helicoide-stop[data-link=up]").wait_for(timeout=PATIENCE_MS)
             q = cell.q.copy()
-            q[0] = 0.4
+            q[0] = 0.3
             cell.q = q
-            until(page, lambda: abs(cell.q[0] - 0.4) < 1e-3)
+            until(page, lambda: abs(cell.q[0] - 0.3) < 1e-3)
     finally:
         context.close()
         cell.close()

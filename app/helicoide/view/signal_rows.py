@@ -27,7 +27,7 @@ CHOICE, CHART = (
 SPAN, SECONDS = Text(en="Time span", pt_BR="Intervalo"), untranslated("{n} s")
 LOG = Text(en="Logarithmic axis", pt_BR="Eixo logarítmico")
 PAUSE, RESUME = Text(en="Pause charts", pt_BR="Pausar gráficos"), Text(en="Resume charts", pt_BR="Retomar gráficos")
-SAVE = Text(en="Save as CSV", pt_BR="Salvar como CSV")
+SAVE = Text(en="Save charts as CSV", pt_BR="Salvar gráficos como CSV")
 CHOOSE = Text(
     en="Choose a group of signals. The charts are drawn while the arm moves.",
     pt_BR="Escolha um grupo de sinais. Os gráficos são traçados enquanto o braço se move.",

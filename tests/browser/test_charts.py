@@ -53,11 +53,17 @@ def choose(page: Page, label: str, option: str) -> None:
     page.get_by_role("option", name=option, exact=True).click()
 
 
-def move(lab: Lab, page: Page) -> None:
-    """Move the arm, away from the nearer wall, until several of its states are sampled."""
-    T, before = lab.state.T_world_tool, len(history(lab).times)
+def send_away(lab: Lab) -> None:
+    """Set a target 50 mm away, on the side of the farther wall."""
+    T = lab.state.T_world_tool
     away = np.array([0.0, -0.05 if T[1, 3] > 0.0 else 0.05, 0.0])
     lab.post(gate.set_target(T[:3, 3] + away, [1.0, 0.0, 0.0, 0.0]))
+
+
+def move(lab: Lab, page: Page) -> None:
+    """Move the arm until several of its states are sampled."""
+    before = len(history(lab).times)
+    send_away(lab)
     until(page, lambda: len(history(lab).times) > before + 5)
 
 
@@ -136,5 +142,7 @@ def test_a_matrix_is_shown_as_it_is_now(lab: Lab, page: Page) -> None:
     expect(table.locator("tr")).to_have_count(5)
     cell = table.locator("tr").nth(2).locator("td").last
     until(page, lambda: abs(float(cell.inner_text().replace("−", "-")) - 1000 * lab.state.T_world_tool[1, 3]) < 0.1)
-    move(lab, page)
+    before = lab.state.T_world_tool[1, 3]
+    send_away(lab)
+    until(page, lambda: abs(lab.state.T_world_tool[1, 3] - before) > 0.02)
     until(page, lambda: abs(float(cell.inner_text().replace("−", "-")) - 1000 * lab.state.T_world_tool[1, 3]) < 0.1)

@@ -88,7 +88,7 @@
       seat: remembered(),
       languages: [...navigator.languages],
       dark: matchMedia("(prefers-color-scheme: dark)").matches,
-      link: location.hash.slice(1, 2 + LONGEST_LINK),
+      link: window.helicoideLink.slice(0, LONGEST_LINK + 1),
     });
   }
 
@@ -97,11 +97,12 @@
     return lists.find((list) => list.length > 1) ?? []; // a docked lesson has one tab
   }
 
-  // viser builds the tabs a moment after it was told to.
+  // viser builds the tabs a moment after it was told to. They follow a pointer or the Enter key, not a mere click().
   window.helicoideShowTab = (index, tries = 50) => {
     const tab = tabsOfPanel()[index];
-    if (tab) tab.click();
-    else if (tries > 0) setTimeout(() => window.helicoideShowTab(index, tries - 1), 100);
+    if (tab?.getAttribute("aria-selected") === "true" || tries === 0) return;
+    tab?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+    setTimeout(() => window.helicoideShowTab(index, tries - 1), 100);
   };
 
   // Tells the server which tab of the panel is in front: only its rows need updates.
@@ -151,7 +152,10 @@
     if (message.heard === "stop") stopUnheard = false;
     if (message.heard === "beat") offsets = [...offsets.slice(1 - BEATS_KEPT), message.at - performance.now()];
     if (message.fence) deafen(message.fence);
-    if (message.seat) remember(message.seat);
+    if (message.seat) {
+      remember(message.seat);
+      window.helicoideLink = ""; // it is opened once, not again after a lost connection
+    }
     if (message.status === undefined) return;
     language = message.language;
     notice = message;
@@ -222,17 +226,17 @@
   }
 
   function press(what) {
+    if (held.size === 0) send({ pressed: true }); // what is held from now on makes one change, of its own
     held.add(what);
     clearTimeout(settling);
   }
 
   function release(what) {
-    if (held.delete(what) && held.size === 0) send({ idle: true }); // a slider that was held made one change
+    held.delete(what);
     settle();
   }
 
   function releaseAll() {
-    if (held.size > 0) send({ idle: true });
     held.clear();
     settle();
   }

@@ -99,6 +99,7 @@ def test_a_first_visit_has_a_hint_that_stays_closed(lab: Lab, browser: Browser) 
     with window(browser, lab.port, first=True, locale="pt-BR") as page:
         hint = page.locator("#helicoide-hint")
         assert hint.locator("li").all_inner_texts() == [step.pt_BR for step in STEPS]
+        page.get_by_role("tab", name="Robô").click()
         hint.get_by_role("button", name="Primeira lição").click()
         expect(page.get_by_role("tab", name="Lição")).to_have_attribute("aria-selected", "true")
         expect(page.locator(".helicoide-lesson h3")).to_contain_text("1.")

@@ -166,6 +166,6 @@ def test_a_slider_that_is_held_is_one_change(lab: Lab, page: Page) -> None:
             page.mouse.move(x + (5 if count == 1 else -5) * k, y)
             page.wait_for_timeout(100)
         page.mouse.up()
-        until(page, lambda: not lab.state.history.unfinished)
         until(page, lambda count=count: len(lab.state.history.undo) >= before + count)  # type: ignore[misc]
+        page.wait_for_timeout(500)
         assert len(lab.state.history.undo) == before + count

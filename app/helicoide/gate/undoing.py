@@ -90,7 +90,7 @@ def recorded(before: State, after: State) -> State:
 
 
 def finish_change() -> Update:
-    """Let the next change be one of its own: what was held has been released."""
+    """Let the next change be one of its own: another pointer or key has gone down."""
 
     def update(state: State) -> State:
         history = state.history.finished()

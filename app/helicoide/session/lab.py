@@ -63,7 +63,7 @@ class Lab:
         self.seats = Seats(lesson_name, projector)
         self.visitors: dict[int, Visitor] = {}
         self.lines: dict[int, WindowChannel] = {}
-        self.control = ControlChannel(self._stopped, self._released, self._turned, self._idle)
+        self.control = ControlChannel(self._stopped, self._released, self._turned, self._pressed)
         self.ready = False
         self.clock = Clock(lambda: self.bays.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
@@ -294,11 +294,10 @@ class Lab:
         if visitor is not None and (grasp := visitor.drag) is not None:
             self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
-    def _idle(self, key: str) -> None:
-        """All pointers and keys of a window are up: what they changed is one change, which later ones do not extend."""
-        visitor = self._with(key)
-        if visitor is not None:
-            self.loop.call_later(LET_GO, visitor.bay.finish_change)
+    def _pressed(self, key: str) -> None:
+        """A pointer or a key goes down in a window: what it changes is a change of its own, for undo."""
+        if (visitor := self._with(key)) is not None:
+            visitor.bay.finish_change()
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab of a window is in front."""

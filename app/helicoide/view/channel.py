@@ -84,14 +84,14 @@ class ControlChannel:
 
     on_stop: takes the key of the window that stops, None before the page has named its window, and whether the same
     keystroke also closes something on the page; on_release: takes the key of a window whose pointer was released, or
-    whose last channel has closed; on_tab: takes the key of a window and the number of the tab in front; on_idle: takes
-    the key of a window in which no pointer and no key is down any more.
+    whose last channel has closed; on_tab: takes the key of a window and the number of the tab in front; on_press:
+    takes the key of a window in which a pointer or a key goes down while no other is down.
     """
 
     on_stop: Callable[[str | None, bool], None]
     on_release: Callable[[str], None] = lambda key: None
     on_tab: Callable[[str, int], None] = lambda key, tab: None
-    on_idle: Callable[[str], None] = lambda key: None
+    on_press: Callable[[str], None] = lambda key: None
     _lines: dict[str, WindowChannel] = field(default_factory=dict)
 
     def open(self, key: str) -> WindowChannel:
@@ -148,9 +148,9 @@ class ControlChannel:
             if here:
                 self.on_release(here[-1])
             return []
-        if message.get("idle") is True:
+        if message.get("pressed") is True:
             if here:
-                self.on_idle(here[-1])
+                self.on_press(here[-1])
             return []
         if (tab := message.get("tab")) is not None:
             if here and isinstance(tab, int):

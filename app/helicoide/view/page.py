@@ -49,10 +49,15 @@ STEPS = (
     Text(en="Press Play under Path.", pt_BR="Pressione Reproduzir em Trajetória."),
 )
 
-# Behind a sub-path, relative addresses need a slash at the end. Without minimum-scale, a list that opens beyond the
-# edge of a phone widens the page and pushes Stop out of view.
+# Behind a sub-path, relative addresses need a slash at the end. The fragment, a link to a view, is taken out of the
+# address before viser reads it, since viser would make it a part of the server's address. Without minimum-scale, a list
+# that opens beyond the edge of a phone widens the page and pushes Stop out of view.
 TAGS = Markup(
-    '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
+    "<script>"
+    'location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search + location.hash);'
+    "window.helicoideLink = location.hash.slice(1);"
+    'if (location.hash) history.replaceState(null, "", location.pathname + location.search);'
+    "</script>"
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
     '<link rel="stylesheet" href="static/inspector.css" /><script src="static/copy.js" defer></script>'

@@ -33,29 +33,31 @@ from helicoide.text import HelicoideError
 from helicoide.trajectory.waypoints import MOVE_TYPES
 from helicoide.view import layers, panels, shapes
 from helicoide.view.layers import Stage
-from helicoide.view.rows import (
-    Button,
-    Checkbox,
+from helicoide.view.requests import (
     CountMap,
-    DependentRows,
-    Dropdown,
-    Folder,
     ForArm,
     ForSeat,
-    HtmlRow,
     ListPostures,
     PageRequest,
     PlanMotion,
     PlayFastest,
     PlayTaught,
+    Tour,
+    TrySingular,
+)
+from helicoide.view.rows import (
+    Button,
+    Checkbox,
+    DependentRows,
+    Dropdown,
+    Folder,
+    HtmlRow,
     Row,
     Slider,
     TextEntry,
-    Tour,
-    TrySingular,
     VectorRow,
-    View,
 )
+from helicoide.view.window_view import View
 
 FAR = 3.0
 

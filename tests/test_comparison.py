@@ -20,7 +20,7 @@ from helicoide.seat import Seat
 from helicoide.session.postures import to_singular_posture
 from helicoide.state import State, initial_state
 from helicoide.view.comparison import comparison_charts, largest_values
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 DT = 0.01
 

@@ -19,8 +19,8 @@ from helicoide.session.preparing import TICK, exercise
 from helicoide.state import State, initial_state
 from helicoide.view.panels import charts
 from helicoide.view.placed_rows import place_rows
-from helicoide.view.rows import View
 from helicoide.view.signal_rows import with_chart, with_group
+from helicoide.view.window_view import View
 
 TITLE = "Four live charts of the Movemaster, two methods in each"
 GROUPS = ("joints", "distances", "singularity", "filter")

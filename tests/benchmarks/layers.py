@@ -22,8 +22,8 @@ from helicoide.state import State, initial_state
 from helicoide.text import untranslated
 from helicoide.view import layers, shapes
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
 from helicoide.view.window import new_seat
+from helicoide.view.window_view import View
 
 TITLE = "Layers of the scene, µs per update while the arm moves"
 FRAMES, EVERY, GOAL = 60, 2, 1000.0

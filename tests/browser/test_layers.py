@@ -24,7 +24,7 @@ from helicoide.sheet import Sheet, SheetLine
 from helicoide.state import ComparedArm, FittedCloud, State, WorkspaceMaps, initial_state
 from helicoide.text import Text
 from helicoide.view import layers
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 DIFFERENT, FEWEST = 12, 20  # of 255 grey values, and pixels
 MARGIN = 22.0  # px: half of a thick line or arrow head, and a pixel of the screen at a resolution of a quarter

@@ -21,7 +21,7 @@ from helicoide.seat import Seat
 from helicoide.session.replaying import replay_through
 from helicoide.state import State, initial_state
 from helicoide.view.layers import Stage, ball
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 
 @pytest.fixture

@@ -97,9 +97,9 @@ def test_a_second_request_waits_for_no_one(lab: Lab, hand: Hand, monkeypatch: py
 def test_a_window_that_closes_meanwhile_leaves_nothing_behind(lab: Lab, caplog: pytest.LogCaptureFixture) -> None:
     hand = window(lab)
     hand.do(hand.page.press(PICTURE))
-    assert eventually(lambda: bool(lab.exporting._tasks))
+    assert eventually(lambda: bool(lab.requests.exporting._tasks))
     hand.close()
-    assert eventually(lambda: not lab.exporting._tasks)
+    assert eventually(lambda: not lab.requests.exporting._tasks)
     assert not [record for record in caplog.records if record.name == "helicoide"]
 
 

@@ -23,8 +23,8 @@ from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
 from helicoide.state import initial_state
-from helicoide.view.rows import View
 from helicoide.view.window import Window
+from helicoide.view.window_view import View
 
 SILENT = 30
 

@@ -11,7 +11,7 @@ from tests.session.labs import eventually, running, state, window
 
 from helicoide.session.lab import Lab
 from helicoide.session.visitor import Visitor
-from helicoide.view import rows
+from helicoide.view import requests
 
 HERE = "v=1&robot=movemaster&q=0.3,0.5,-1.2,-0.2,0&camera=1,2,3,0,0,0&tab=algebra&end=1"
 ELSEWHERE = "v=1&robot=planar2r&q=0.3,0.5&camera=1,2,3,0,0,0&tab=robot&end=1"
@@ -38,7 +38,7 @@ def open_link(lab: Lab, visitor: Visitor, text: str) -> None:
     lab.loop.call_soon_threadsafe(visitor.open_link, text)
 
 
-def act(lab: Lab, visitor: Visitor, request: rows.PageRequest) -> None:
+def act(lab: Lab, visitor: Visitor, request: requests.PageRequest) -> None:
     visitor.window.link.made_at = float("inf")  # as if the page had just made it
     lab.loop.call_soon_threadsafe(visitor.window.act, request)
 
@@ -50,7 +50,7 @@ def test_an_opened_link_moves_the_camera_and_no_arm(lab: Lab, visitor: Visitor) 
     np.testing.assert_allclose(visitor.window.client.camera.position, [1, 2, 3])
     assert state(lab).arm.q is before.arm.q
     assert state(lab).request.command is before.request.command
-    act(lab, visitor, rows.CloseLink())
+    act(lab, visitor, requests.CloseLink())
     assert eventually(lambda: visitor.place.seat.linked is None)
     assert state(lab).arm.q is before.arm.q
 
@@ -68,7 +68,7 @@ def test_a_link_that_cannot_be_read_is_said_and_changes_nothing(lab: Lab, visito
 def test_the_posture_of_a_link_is_executed_on_a_press(lab: Lab, visitor: Visitor) -> None:
     open_link(lab, visitor, HERE)
     assert eventually(lambda: visitor.place.seat.linked is not None)
-    act(lab, visitor, rows.TakeLink(own=False))
+    act(lab, visitor, requests.TakeLink(own=False))
     assert eventually(lambda: visitor.place.seat.linked is None)
     assert eventually(lambda: bool(np.allclose(state(lab).arm.q, [0.3, 0.5, -1.2, -0.2, 0], atol=1e-3)))
 
@@ -79,7 +79,7 @@ def test_a_posture_of_another_size_or_outside_the_limits_is_refused(lab: Lab, vi
         lab.shared.workcell.tell(lambda state: replace(state, notice=None))
         open_link(lab, visitor, text)
         assert eventually(lambda: visitor.place.seat.linked is not None)
-        act(lab, visitor, rows.TakeLink(own=False))
+        act(lab, visitor, requests.TakeLink(own=False))
         assert eventually(lambda: visitor.place.seat.linked is None)
         assert eventually(lambda before=before: state(lab).notice is not None)  # type: ignore[misc]
         assert state(lab).arm.q is before.arm.q
@@ -89,7 +89,7 @@ def test_another_arm_is_shown_on_an_own_one(lab: Lab, visitor: Visitor) -> None:
     before = state(lab)
     open_link(lab, visitor, ELSEWHERE)
     assert eventually(lambda: visitor.place.seat.linked is not None)
-    act(lab, visitor, rows.TakeLink(own=True))
+    act(lab, visitor, requests.TakeLink(own=True))
     assert eventually(lambda: visitor.place.own is not None)
     own = visitor.place.own
     assert own is not None

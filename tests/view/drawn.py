@@ -16,8 +16,9 @@ from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.view import layers, shapes
 from helicoide.view.layers import Stage
-from helicoide.view.rows import PageRequest, View
+from helicoide.view.requests import PageRequest
 from helicoide.view.window import new_seat
+from helicoide.view.window_view import View
 
 
 @contextmanager

@@ -12,7 +12,9 @@ from helicoide.perception.units import UNITS
 from helicoide.seat import Seat
 from helicoide.state import initial_state
 from helicoide.view.plane_rows import plane_rows
-from helicoide.view.rows import Dropdown, Folder, ForSeat, ReadCloud, Row, Upload, View
+from helicoide.view.requests import ForSeat, ReadCloud
+from helicoide.view.rows import Dropdown, Folder, Row, Upload
+from helicoide.view.window_view import View
 
 STATE = initial_state(load_robot("movemaster"))
 SEAT = Seat("token", "en")

@@ -39,7 +39,7 @@ from helicoide.view.console_words import entry_help, result_list
 from helicoide.view.layers import Stage
 from helicoide.view.layers import console as layer
 from helicoide.view.placed_rows import FAILED, place_rows
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 SHOWS = MappingProxyType({one.NAME: bool(one.SHOWN) for one in layers.optional()})
 LINES = (

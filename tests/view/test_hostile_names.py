@@ -24,7 +24,7 @@ from helicoide.view import layers, panels
 from helicoide.view.panels import lesson as lesson_panel
 from helicoide.view.panels import robot as robot_panel
 from helicoide.view.placed_rows import FAILED, place_rows
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 SHOWS = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
 

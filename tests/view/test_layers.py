@@ -39,7 +39,7 @@ from helicoide.view.layers import (
     wrench,
 )
 from helicoide.view.layers import postures as ghosts
-from helicoide.view.rows import ForArm, ForSeat, ListPostures
+from helicoide.view.requests import ForArm, ForSeat, ListPostures
 
 SINGLE = 1e-6  # relative error of float32, with a margin
 LONGEST = 260  # characters of a line that says what is seen: three or four lines of the panel

@@ -10,7 +10,7 @@ from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.text import LANGUAGES
 from helicoide.view import layers, panels
 from helicoide.view.palette import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, palette
-from helicoide.view.rows import ForArm, ForLab, ForStudyPanel, ShowTab
+from helicoide.view.requests import ForArm, ForLab, ForStudyPanel, ShowTab
 
 
 @pytest.mark.parametrize("name", robot_titles())

@@ -21,7 +21,9 @@ from helicoide.text import LANGUAGES, Language
 from helicoide.view.modes import mode_table
 from helicoide.view.panels import algebra, method, robot
 from helicoide.view.posture_rows import posture_rows
-from helicoide.view.rows import Dropdown, Folder, ForArm, ForSeat, HtmlRow, ListPostures, Row, View
+from helicoide.view.requests import ForArm, ForSeat, ListPostures
+from helicoide.view.rows import Dropdown, Folder, HtmlRow, Row
+from helicoide.view.window_view import View
 
 
 def inside(folder: Folder) -> Iterator[Row]:

@@ -15,6 +15,7 @@ from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.text import LANGUAGES, Language, untranslated
 from helicoide.view.placed_rows import FAILED, place_rows
+from helicoide.view.requests import ForLab, PageRequest
 from helicoide.view.rows import (
     Bar,
     Button,
@@ -22,16 +23,14 @@ from helicoide.view.rows import (
     DependentRows,
     Dropdown,
     Folder,
-    ForLab,
     HtmlRow,
-    PageRequest,
     Plot,
     Row,
     Slider,
     TextEntry,
     VectorRow,
-    View,
 )
+from helicoide.view.window_view import View
 
 
 def fails(*_: Any) -> Any:

@@ -19,7 +19,7 @@ from helicoide.seat import Seat, Selection
 from helicoide.state import initial_state
 from helicoide.view import layers, panels
 from helicoide.view.placed_rows import place_rows
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 compiled = []
 

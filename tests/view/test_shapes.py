@@ -27,9 +27,10 @@ from helicoide.text import Language
 from helicoide.view import shapes
 from helicoide.view.layers.arm import LinkNodes
 from helicoide.view.panels import robot as panel
-from helicoide.view.rows import HtmlRow, View
+from helicoide.view.rows import HtmlRow
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
+from helicoide.view.window_view import View
 
 BOX, CYLINDER, SPHERE = '<box size="0.1 0.2 0.4"/>', '<cylinder radius="0.1" length="0.6"/>', '<sphere radius="0.2"/>'
 MESH = '<mesh filename="plate.stl" scale="0.001 0.002 0.003"/>'  # of 100 mm each way

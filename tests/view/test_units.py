@@ -17,7 +17,8 @@ from helicoide.seat import Seat
 from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, Text
 from helicoide.view import layers, panels
-from helicoide.view.rows import Slider, VectorRow, View
+from helicoide.view.rows import Slider, VectorRow
+from helicoide.view.window_view import View
 
 # Pure numbers, by the words with which their labels begin.
 PURE = (

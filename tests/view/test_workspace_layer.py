@@ -23,7 +23,8 @@ from helicoide.text import LANGUAGES, Language
 from helicoide.view import shapes
 from helicoide.view.layers import Stage
 from helicoide.view.layers import workspace as layer
-from helicoide.view.rows import HtmlRow, Slider, View
+from helicoide.view.rows import HtmlRow, Slider
+from helicoide.view.window_view import View
 from helicoide.view.workspace_rows import (
     ANCHORS,
     TITLES,

@@ -13,8 +13,9 @@ from helicoide.state import initial_state
 from helicoide.text import LANGUAGES, Language, Text, join_texts
 from helicoide.view import page, panels
 from helicoide.view.panels.lesson import step_rows
-from helicoide.view.rows import Button, Checkbox, DependentRows, Dropdown, Folder, Row, Slider, VectorRow, View
+from helicoide.view.rows import Button, Checkbox, DependentRows, Dropdown, Folder, Row, Slider, VectorRow
 from helicoide.view.window import new_seat
+from helicoide.view.window_view import View
 
 SHORTEST_HINT = 20
 BOLD = re.compile(r"\*\*(.+?)\*\*")

@@ -22,10 +22,11 @@ from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
 from helicoide.state import State, with_command
 from helicoide.text import HelicoideError, Text
-from helicoide.view import rows
+from helicoide.view import requests
 from helicoide.view.layers import needed
-from helicoide.view.rows import PageRequest, View
+from helicoide.view.requests import PageRequest
 from helicoide.view.window import Window
+from helicoide.view.window_view import View
 
 MOST_OWN, MAPS = 64, 2  # most own arms; most maps that are computed at once
 
@@ -91,31 +92,31 @@ class Bay:
     def do(self, request: PageRequest) -> None:
         """Carry out a request about the arm or its scene."""
         match request:
-            case rows.ForArm(update):
+            case requests.ForArm(update):
                 self.workcell.ask(update)
-            case rows.Undo():
+            case requests.Undo():
                 self.workcell.ask(lambda state: gate.undo_change(self.workcell.connected)(state))
-            case rows.Redo():
+            case requests.Redo():
                 self.workcell.ask(lambda state: gate.redo_change(self.workcell.connected)(state))
-            case rows.ForLab(robot):
+            case requests.ForLab(robot):
                 self.arms.change(robot)
-            case rows.Play(motion):
+            case requests.Play(motion):
                 self.arms.play(motion)
-            case rows.Tour(real):
+            case requests.Tour(real):
                 self.survey.tour(real)
-            case rows.ReadCloud(name, content, plane, unit):
+            case requests.ReadCloud(name, content, plane, unit):
                 self.survey.read(name, content, plane, unit)
-            case rows.CountMap(kind):
+            case requests.CountMap(kind):
                 self.mapping.begin(kind)
-            case rows.ListPostures():
+            case requests.ListPostures():
                 self.arms.find(list_postures)
-            case rows.PlanMotion(update, title):
+            case requests.PlanMotion(update, title):
                 self.arms.find(lambda state: plan_motion(state, update, title))
-            case rows.TrySingular():
+            case requests.TrySingular():
                 self.arms.work_out(to_singular_posture)
-            case rows.PlayTaught():
+            case requests.PlayTaught():
                 self.arms.work_out(replay_through)
-            case rows.PlayFastest():
+            case requests.PlayFastest():
                 self.arms.work_out(along_fastest)
 
 

@@ -16,9 +16,9 @@ from helicoide.view import shapes
 from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import ControlChannel, Notice
 from helicoide.view.layers import any_moves
-from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.window import CLEARED, Window
+from helicoide.view.window_view import View
 
 # s: the shortest time between two frames, and between two updates of rows
 FRAME, WORDS = 0.016, 0.2

@@ -20,9 +20,8 @@ from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Text
 from helicoide.view.audience import Server
 from helicoide.view.clip import clip_html
-from helicoide.view.file_requests import FileRequest, SaveClip, SaveNotebook, SavePicture
 from helicoide.view.picture import scene_picture
-from helicoide.view.rows import Save
+from helicoide.view.requests import FileRequest, Save, SaveClip, SaveNotebook, SavePicture
 from helicoide.view.scene import outlook
 
 MOST_FRAMES = 1500

@@ -22,11 +22,11 @@ from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
+from helicoide.session.window_requests import WindowRequests
 from helicoide.session.workcell import FAILED, Workcell
-from helicoide.text import HelicoideError, Language, Text
-from helicoide.view import rows
+from helicoide.text import Language, Text
+from helicoide.view import requests
 from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, introduce
-from helicoide.view.file_requests import SaveClip, SaveNotebook, SavePicture
 from helicoide.view.link import (
     HelicoideFence,
     HelicoideFirstLesson,
@@ -37,10 +37,11 @@ from helicoide.view.link import (
     connection_of,
 )
 from helicoide.view.panels.lesson import first_lesson
-from helicoide.view.rows import PageRequest, View
+from helicoide.view.requests import PageRequest
 from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, preload
+from helicoide.view.window_view import View
 
 UNTIDY = 10  # rounds of `_tidy` without a garbage collection while an arm moves
 # s: time to wait for the first message of a page; after which a drag ends if its end was lost; between two checks of a
@@ -99,7 +100,8 @@ class Lab:
 
     def _begin(self) -> None:
         light_scene(self.server.scene)
-        self.exporting = Exporting(self.server)
+        exporting = Exporting(self.server)
+        self.requests = WindowRequests(self.bays, self.studies, self.recording, exporting, self.view, self._news)
         connection_of(self.server, self._on_message)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
@@ -231,9 +233,9 @@ class Lab:
             case HelicoideFirstLesson():
                 visitor.window.act(first_lesson())
             case HelicoideUndo():
-                visitor.window.act(rows.Undo())
+                visitor.window.act(requests.Undo())
             case HelicoideRedo():
-                visitor.window.act(rows.Redo())
+                visitor.window.act(requests.Redo())
 
     def act(self, window: Window, request: PageRequest) -> None:
         """Carry out a request if it is accepted. The rows of the window are written again in any case."""
@@ -242,35 +244,12 @@ class Lab:
             return
         visitor.write()
         self.loop.call_later(PUT_RIGHT, visitor.rewrite)
-        if isinstance(request, rows.Stop):
+        if isinstance(request, requests.Stop):
             self._stopped(window.link.key)
         elif window.link.has_control:
-            self._act(visitor, request)
+            self.requests.do(visitor, request)
         elif window.link.late:
             window.tell_late()
-
-    def _act(self, visitor: Visitor, request: PageRequest) -> None:
-        match request:
-            case rows.ForSeat(update):
-                try:
-                    visitor.reseat(update)
-                except HelicoideError as refusal:
-                    visitor.window.tell(refusal.text)
-                self._news()
-            case rows.ForStudyPanel(update):
-                self.studies.change(visitor.place, update)
-            case rows.OwnArm(on):
-                self._move(visitor, on)
-            case rows.TakeLink(own):
-                self._take_link(visitor, own)
-            case rows.CloseLink():
-                visitor.close_link()
-            case rows.Save() | SaveNotebook() | SaveClip() | SavePicture():
-                self.exporting.begin(visitor, request)
-            case request if isinstance(request, rows.RecordingRequest):
-                self.recording.do(visitor, request)
-            case _:
-                visitor.bay.do(request)
 
     def _stopped(self, key: str | None, closing: bool = False) -> None:
         """Stop the workcell of a window, or the shared one if the window is unknown, and all with a real arm.
@@ -308,27 +287,6 @@ class Lab:
     def _with(self, key: str | None) -> Visitor | None:
         """The visitor with the window of that key, or None."""
         return next((one for one in self.visitors.values() if one.window.link.key == key), None)
-
-    def _move(self, visitor: Visitor, own: bool) -> None:
-        """Move a visitor to its own arm, which begins as a copy of the shared one, or back to the shared arm."""
-        if own:
-            try:
-                self.bays.give(visitor.place)
-            except HelicoideError as refusal:
-                visitor.window.tell(refusal.text)
-                return
-        visitor.place.at_own = own
-        self.recording.recordings.meet(visitor.place)
-        if visitor.settled:
-            visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
-
-    def _take_link(self, visitor: Visitor, own: bool) -> None:
-        """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first."""
-        if own:
-            self._move(visitor, True)
-        if (linked := visitor.place.seat.linked) is not None and (visitor.place.at_own or not own):
-            self.bays.of(visitor.place).arms.go_to(linked.robot, linked.q)
-            visitor.close_link()
 
     def _put_up(self, workcell: Workcell, supply: Supply) -> Display:
         """The display of a workcell."""

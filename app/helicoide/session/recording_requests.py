@@ -11,8 +11,8 @@ from helicoide.session.recordings import Recordings
 from helicoide.session.seats import Place, Seats
 from helicoide.session.visitor import Visitor
 from helicoide.state import State
-from helicoide.view import rows
-from helicoide.view.rows import RecordingRequest
+from helicoide.view import requests
+from helicoide.view.requests import RecordingRequest
 
 
 class RecordingRequests:
@@ -27,15 +27,15 @@ class RecordingRequests:
         """Carry out a request of a window."""
         place, window = visitor.place, visitor.window
         match request:
-            case rows.RecordArm(on):
+            case requests.RecordArm(on):
                 self.recorders.record(visitor.bay.workcell, on, window.tell)
-            case rows.ForRecordingPanel(update):
+            case requests.ForRecordingPanel(update):
                 self.recordings.change(place, update)
-            case rows.OpenRecording(name, content):
+            case requests.OpenRecording(name, content):
                 self.recordings.open(place, name, content)
-            case rows.DeleteRecording(name):
+            case requests.DeleteRecording(name):
                 self.recordings.delete(name, window.tell)
-            case rows.SaveRecording(kind):
+            case requests.SaveRecording(kind):
                 send = partial(window.client.send_file_download, save_immediately=True)
                 self.recordings.save(place, kind, send, window.tell)
 

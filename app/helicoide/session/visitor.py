@@ -22,9 +22,10 @@ from helicoide.state import Drag
 from helicoide.text import HelicoideError, Text
 from helicoide.view.channel import ControlChannel, Notice, share_link
 from helicoide.view.link_rows import with_linked
-from helicoide.view.rows import ShowTab, View
+from helicoide.view.requests import ShowTab
 from helicoide.view.share import decode_link
 from helicoide.view.window import CLEARED, Window
+from helicoide.view.window_view import View
 
 SAME_POSTURE = 1e-3  # rad or m; a link rounds joint values
 log = logging.getLogger("helicoide")

@@ -11,7 +11,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.state import State
 from helicoide.text import Text
-from helicoide.view.rows import CameraPreset
+from helicoide.view.requests import CameraPreset
 from helicoide.view.scene import outlook
 
 PRESETS: Mapping[CameraPreset, Text] = MappingProxyType(

@@ -13,7 +13,8 @@ from helicoide.export.svg import COLOURS, axis_range, caption, figure, powers
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
-from helicoide.view.rows import Plot, View
+from helicoide.view.rows import Plot
+from helicoide.view.window_view import View
 
 POINTS, HEIGHT = 400, 170
 ACROSS, UP, PADDING = 30, 52, (10, 16, 0, 0)

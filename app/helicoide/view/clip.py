@@ -16,9 +16,9 @@ from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.page import TITLES
-from helicoide.view.rows import View
 from helicoide.view.scene import Scene, light_scene
 from helicoide.view.shapes import load_shapes
+from helicoide.view.window_view import View
 
 LAST = 0.5  # s that the last frame stays, before the clip begins again
 

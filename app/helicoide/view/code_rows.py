@@ -9,8 +9,10 @@ from viser import Icon
 from helicoide.export.algebra_code import Formula, galaga_code, kingdon_code, latex_text
 from helicoide.text import Text
 from helicoide.view.inspector_rows import inspected
-from helicoide.view.rows import Button, Folder, Row, Save, View
+from helicoide.view.requests import Save
+from helicoide.view.rows import Button, Folder, Row
 from helicoide.view.term_rows import chain_shown
+from helicoide.view.window_view import View
 
 TITLE = Text(en="As LaTeX and code", pt_BR="Em LaTeX e código")
 SAVE = Text(en="Save for {name}", pt_BR="Salvar para {name}")

@@ -13,7 +13,7 @@ from helicoide.ik.methods import named
 from helicoide.studies.study import Chart, ChartLine
 from helicoide.text import Text
 from helicoide.view import html
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 CHARTS = 2
 TIME = Text(en="time in motion [s]", pt_BR="tempo em movimento [s]")

@@ -24,20 +24,9 @@ from helicoide.sheet import (
 from helicoide.text import Text, untranslated
 from helicoide.view import html
 from helicoide.view.console_words import entry_help, known_functions, known_names, result_list
-from helicoide.view.rows import (
-    Button,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForSeat,
-    HtmlRow,
-    Row,
-    Save,
-    Slider,
-    TextEntry,
-    Upload,
-    View,
-)
+from helicoide.view.requests import ForSeat, Save
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Row, Slider, TextEntry, Upload
+from helicoide.view.window_view import View
 
 TITLE_OF_CONSOLE = Text(en="Console", pt_BR="Console")
 ABOUT_CONSOLE = Text(

@@ -22,7 +22,7 @@ from helicoide.console import (
 from helicoide.markup import formula_to_mathml
 from helicoide.sheet import SheetLine
 from helicoide.text import Language, Text, number_text
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 LINE = Markup(
     '<li class="helicoide-line{faint}"><span>{number}</span><div><pre>{source}</pre>{result}<em>{said}</em></div></li>'

@@ -17,21 +17,20 @@ from viser import Icon
 
 from helicoide.text import Text
 from helicoide.view import bind
+from helicoide.view.requests import Ask, PageRequest
 from helicoide.view.rows import (
-    Ask,
     Button,
     ButtonGroup,
     Checkbox,
     Dropdown,
-    PageRequest,
     Slider,
     TextEntry,
     Upload,
     VectorRow,
-    View,
     Weight,
     always,
 )
+from helicoide.view.window_view import View
 
 UNTOUCHED = 0.7
 # Colours of viser, by which static/panel.css recognizes the weight of a button.

@@ -7,7 +7,8 @@ import viser
 from helicoide.lesson import load_lesson
 from helicoide.view.panels.lesson import step_rows
 from helicoide.view.placed_rows import WindowRow, place_rows
-from helicoide.view.rows import Act, View
+from helicoide.view.requests import Act
+from helicoide.view.window_view import View
 
 WIDTH, LARGE = 320.0, 480.0  # px; LARGE on a projector
 

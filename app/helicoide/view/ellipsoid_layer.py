@@ -16,7 +16,7 @@ from helicoide.view.figures import Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.pose import place_node
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 # The least semi-axis that is drawn, × size, m, since three.js cannot scale by zero; below the second, × the longest, a
 # semi-axis has no number.

@@ -10,17 +10,9 @@ from viser import Icon
 
 from helicoide.text import Text, untranslated
 from helicoide.view import html
-from helicoide.view.file_requests import SaveClip, SaveNotebook, SavePicture
-from helicoide.view.rows import (
-    Button,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForSeat,
-    HtmlRow,
-    Row,
-    View,
-)
+from helicoide.view.requests import ForSeat, SaveClip, SaveNotebook, SavePicture
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Row
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Take home", pt_BR="Levar para casa")
 NOTEBOOK = Text(en="Jupyter notebook of this scene", pt_BR="Caderno Jupyter desta cena")

@@ -15,18 +15,9 @@ from helicoide.seat import Notation, Selection, SelectionKind
 from helicoide.text import HelicoideError, Language, Text, untranslated
 from helicoide.view import html
 from helicoide.view.formula import blade_words, coefficient_grid, formula_html, general_formula, sum_of_blades
-from helicoide.view.rows import (
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForArm,
-    ForSeat,
-    HtmlRow,
-    PageRequest,
-    Row,
-    TextEntry,
-    View,
-)
+from helicoide.view.requests import ForArm, ForSeat, PageRequest
+from helicoide.view.rows import DependentRows, Dropdown, Folder, HtmlRow, Row, TextEntry
+from helicoide.view.window_view import View
 
 NOTHING = Text(en="none", pt_BR="nenhum")
 CHOOSE = Text(

@@ -14,7 +14,7 @@ from helicoide.state import State
 from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
 from helicoide.view.formula import formula_html
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 
 def instrument_table(view: View) -> Markup:

@@ -11,7 +11,9 @@ from helicoide.kinematics.library import robot_titles
 from helicoide.seat import LinkedPosture, Seat
 from helicoide.text import Text, untranslated
 from helicoide.view import html
-from helicoide.view.rows import Button, CloseLink, HtmlRow, Row, TakeLink, View
+from helicoide.view.requests import CloseLink, TakeLink
+from helicoide.view.rows import Button, HtmlRow, Row
+from helicoide.view.window_view import View
 
 HERE = Text(
     en="The link shows the arm in the blue outline. Nothing has moved.",

@@ -14,7 +14,7 @@ from helicoide.readout.loop import LoopBlock, SideBlock, control_loop
 from helicoide.readout.signals import signals_of
 from helicoide.state import State
 from helicoide.text import Language, Text, join_texts, number_text
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 # Lengths in units of the drawing, which is as wide as the panel.
 WIDTH, LEFT, BLOCK, SIDE_LEFT, SIDE, RETURN = 344, 4, 186, 210, 120, 338

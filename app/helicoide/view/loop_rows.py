@@ -9,8 +9,10 @@ from markupsafe import Markup
 from helicoide.readout.loop import loop_signals
 from helicoide.text import Text
 from helicoide.view.loop_diagram import LOOP, loop_diagram
-from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, ForSeat, HtmlRow, Row, View
+from helicoide.view.requests import ForSeat
+from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, HtmlRow, Row
 from helicoide.view.signal_rows import chart_titles, with_charts, with_signal
+from helicoide.view.window_view import View
 
 SHOW = Text(en="Show the diagram", pt_BR="Mostrar o diagrama")
 ADD = Text(en="Add a signal of the loop to the charts", pt_BR="Acrescentar um sinal da malha aos gráficos")

@@ -8,9 +8,11 @@ from markupsafe import Markup
 from helicoide.readout.matrices import TITLES, NamedMatrix, named_matrix
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
-from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
+from helicoide.view.requests import ForSeat
+from helicoide.view.rows import Dropdown, Folder, HtmlRow
 from helicoide.view.settings import NONE
 from helicoide.view.signal_rows import with_charts
+from helicoide.view.window_view import View
 
 TITLE, SHOWN = Text(en="Matrices", pt_BR="Matrizes"), Text(en="Matrix", pt_BR="Matriz")
 UNDEFINED = Text(

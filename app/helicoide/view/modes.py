@@ -10,7 +10,7 @@ from helicoide.readout import method_modes
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
 from helicoide.view.formula import formula_html
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 MODES = Text(en="Modes of Θ", pt_BR="Modos de Θ")
 NONE = Text(

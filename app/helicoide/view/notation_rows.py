@@ -10,7 +10,8 @@ from helicoide.geometry.euler import CONVENTIONS, EXTRINSIC
 from helicoide.geometry.notation import BladeNaming
 from helicoide.seat import Notation, Seat, ShownAlgebra
 from helicoide.text import Text, untranslated
-from helicoide.view.rows import Dropdown, Folder, ForSeat, PageRequest, Row
+from helicoide.view.requests import ForSeat, PageRequest
+from helicoide.view.rows import Dropdown, Folder, Row
 
 TITLE = Text(en="Notation", pt_BR="Notação")
 ALGEBRAS: dict[ShownAlgebra, Text] = {

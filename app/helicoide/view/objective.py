@@ -11,8 +11,10 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 from helicoide.view import html
 from helicoide.view.formula import formula_html
-from helicoide.view.rows import Checkbox, DependentRows, Dropdown, Folder, ForArm, HtmlRow, Row, Slider, View
+from helicoide.view.requests import ForArm
+from helicoide.view.rows import Checkbox, DependentRows, Dropdown, Folder, HtmlRow, Row, Slider
 from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
+from helicoide.view.window_view import View
 
 
 def objective_rows(robot: Robot) -> list[Row]:

@@ -11,18 +11,9 @@ from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
-from helicoide.view.rows import (
-    Button,
-    Checkbox,
-    DependentRows,
-    Folder,
-    ForArm,
-    PageRequest,
-    Row,
-    Slider,
-    VectorRow,
-    View,
-)
+from helicoide.view.requests import ForArm, PageRequest
+from helicoide.view.rows import Button, Checkbox, DependentRows, Folder, Row, Slider, VectorRow
+from helicoide.view.window_view import View
 
 ADD = Text(en="Add sphere", pt_BR="Adicionar esfera")
 

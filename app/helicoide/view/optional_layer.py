@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 import viser
 
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 
 class OptionalLayer(ABC):

@@ -20,7 +20,7 @@ from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
 from helicoide.view.plan_rows import DISCARD, EXECUTE
-from helicoide.view.rows import (
+from helicoide.view.requests import (
     CopyLink,
     ForArm,
     ForLab,

@@ -13,7 +13,9 @@ from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.trajectory import Path
 from helicoide.trajectory.time_optimal import TimingShape
-from helicoide.view.rows import Button, Dropdown, Folder, ForArm, PlayFastest, Row, Slider, View
+from helicoide.view.requests import ForArm, PlayFastest
+from helicoide.view.rows import Button, Dropdown, Folder, Row, Slider
+from helicoide.view.window_view import View
 
 PLAY = Text(en="Play", pt_BR="Reproduzir")
 PAUSE = Text(en="Pause", pt_BR="Pausar")

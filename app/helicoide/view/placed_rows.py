@@ -15,9 +15,8 @@ import viser
 from helicoide.text import Text
 from helicoide.view import controls, html
 from helicoide.view.chart_plot import ChartPlot
+from helicoide.view.requests import Act, Ask, PageRequest
 from helicoide.view.rows import (
-    Act,
-    Ask,
     Bar,
     Button,
     ButtonGroup,
@@ -26,15 +25,14 @@ from helicoide.view.rows import (
     Dropdown,
     Folder,
     HtmlRow,
-    PageRequest,
     Plot,
     Row,
     Slider,
     TextEntry,
     Upload,
     VectorRow,
-    View,
 )
+from helicoide.view.window_view import View
 
 FAILED = Text(en="This row failed; see the terminal.", pt_BR="Esta linha falhou; veja o terminal.")
 Done = TypeVar("Done")

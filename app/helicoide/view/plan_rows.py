@@ -10,7 +10,9 @@ from helicoide.kinematics.robot import Robot
 from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.view import html
-from helicoide.view.rows import Button, Dropdown, Folder, ForArm, HtmlRow, PageRequest, PlanMotion, Row, View
+from helicoide.view.requests import ForArm, PageRequest, PlanMotion
+from helicoide.view.rows import Button, Dropdown, Folder, HtmlRow, Row
+from helicoide.view.window_view import View
 
 CHOOSE = Text(en="choose …", pt_BR="escolha …")
 PLAN = Text(en="Plan to", pt_BR="Planejar até")

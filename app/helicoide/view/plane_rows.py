@@ -22,24 +22,9 @@ from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.view.layers.cloud import OFF_IT, ON_IT
-from helicoide.view.rows import (
-    Button,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForArm,
-    ForSeat,
-    HtmlRow,
-    PageRequest,
-    ReadCloud,
-    Row,
-    Save,
-    Slider,
-    TextEntry,
-    Tour,
-    Upload,
-    View,
-)
+from helicoide.view.requests import ForArm, ForSeat, PageRequest, ReadCloud, Save, Tour
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Row, Slider, TextEntry, Upload
+from helicoide.view.window_view import View
 
 FILE = "planes.toml"
 PRINTED = Text(en="As printed in the source", pt_BR="Como impressos na fonte")

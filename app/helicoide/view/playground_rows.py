@@ -15,7 +15,9 @@ from helicoide.seat import AxisAngle, Playground
 from helicoide.text import Text, number_text
 from helicoide.view.layers import playground as layer
 from helicoide.view.pose_form_rows import quaternion_words
-from helicoide.view.rows import Checkbox, Folder, ForSeat, HtmlRow, PageRequest, Row, Slider, VectorRow, View
+from helicoide.view.requests import ForSeat, PageRequest
+from helicoide.view.rows import Checkbox, Folder, HtmlRow, Row, Slider, VectorRow
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Quaternion playground", pt_BR="Laboratório de quatérnios")
 SHOW = Text(en="Show beside the arm", pt_BR="Mostrar ao lado do braço")

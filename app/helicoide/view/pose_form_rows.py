@@ -15,7 +15,8 @@ from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.inspector_rows import inspected
 from helicoide.view.notation_rows import convention_title, euler_row
-from helicoide.view.rows import Folder, HtmlRow, View
+from helicoide.view.rows import Folder, HtmlRow
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Screw, quaternion, matrix", pt_BR="Helicoide, quatérnio, matriz")
 ONLY_FRAMES = Text(

@@ -20,7 +20,9 @@ from helicoide.readout import too_near
 from helicoide.state import PostureList, State
 from helicoide.text import Language, Text, join_texts, untranslated
 from helicoide.view import html
-from helicoide.view.rows import Button, Dropdown, Folder, ForArm, HtmlRow, ListPostures, Row, Slider, View
+from helicoide.view.requests import ForArm, ListPostures
+from helicoide.view.rows import Button, Dropdown, Folder, HtmlRow, Row, Slider
+from helicoide.view.window_view import View
 
 HERE_WITHIN = np.radians(0.5)  # rad; for a prismatic joint a share of the reach
 

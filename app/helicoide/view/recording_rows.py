@@ -15,24 +15,9 @@ from helicoide.recorder.replay import replay_recording
 from helicoide.studies.study import Chart
 from helicoide.text import Text, untranslated
 from helicoide.view import html
-from helicoide.view.rows import (
-    Button,
-    DeleteRecording,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForArm,
-    ForRecordingPanel,
-    HtmlRow,
-    OpenRecording,
-    Plot,
-    RecordArm,
-    Row,
-    SaveRecording,
-    Slider,
-    Upload,
-    View,
-)
+from helicoide.view.requests import DeleteRecording, ForArm, ForRecordingPanel, OpenRecording, RecordArm, SaveRecording
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Plot, Row, Slider, Upload
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Recording", pt_BR="Gravação")
 RECORD, STOP = Text(en="Record the arm", pt_BR="Gravar o braço"), Text(en="End recording", pt_BR="Terminar a gravação")

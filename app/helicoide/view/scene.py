@@ -10,8 +10,8 @@ from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
 from helicoide.state import initial_state
 from helicoide.view.layers import Layers, Stage
-from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
+from helicoide.view.window_view import View
 
 # Windows with a light and a dark background share the grid.
 CELLS, SECTIONS = (170, 170, 170), (120, 120, 120)

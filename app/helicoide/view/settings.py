@@ -9,7 +9,9 @@ from typing import Any
 from helicoide.export.study_table import significant_digits
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
 from helicoide.text import Text, untranslated, with_decimal_comma
-from helicoide.view.rows import Checkbox, Dropdown, PageRequest, Row, Slider, View
+from helicoide.view.requests import PageRequest
+from helicoide.view.rows import Checkbox, Dropdown, Row, Slider
+from helicoide.view.window_view import View
 
 NONE = Text(en="none", pt_BR="nenhum")
 NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")

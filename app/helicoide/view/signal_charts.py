@@ -18,7 +18,7 @@ from helicoide.state import State
 from helicoide.studies.study import Chart, ChartBand, ChartLine
 from helicoide.text import Text, untranslated
 from helicoide.view.chart_plot import POINTS
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 TIME = Text(en="time t [s]", pt_BR="tempo t [s]")
 OF_METHOD, INVERSE = untranslated("{curve}, {method}"), untranslated("{y} = 1/{x}")

@@ -14,9 +14,11 @@ from helicoide.readout.signals import needed_signals, phase_planes, signal_group
 from helicoide.seat import Seat
 from helicoide.text import Text, join_texts, untranslated
 from helicoide.view import html
-from helicoide.view.rows import Button, Checkbox, Dropdown, Folder, ForSeat, HtmlRow, Plot, Row, Save, View
+from helicoide.view.requests import ForSeat, Save
+from helicoide.view.rows import Button, Checkbox, Dropdown, Folder, HtmlRow, Plot, Row
 from helicoide.view.settings import NONE
 from helicoide.view.signal_charts import live_charts, method_titles
+from helicoide.view.window_view import View
 
 MOST_CHARTS, SPANS, FILE = 4, (10, 20, 30, 60), "helicoide_signals.csv"
 GROUP, CUSTOM = Text(en="Signals", pt_BR="Sinais"), Text(en="own choice", pt_BR="escolha própria")

@@ -14,8 +14,10 @@ from helicoide.kinematics.stages import STAGES, StageKind
 from helicoide.state import ArmState
 from helicoide.text import Language, Text
 from helicoide.view import html
-from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
+from helicoide.view.requests import ForSeat
+from helicoide.view.rows import Dropdown, Folder, HtmlRow
 from helicoide.view.settings import NONE
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Joint by joint", pt_BR="Junta por junta")
 SHOWN = Text(en="Show", pt_BR="Mostrar")

@@ -14,23 +14,9 @@ from helicoide.text import Text, untranslated
 from helicoide.trajectory.waypoint_file import encode_waypoints
 from helicoide.trajectory.waypoints import GRIPPER_ACTIONS, MOVE_TYPES, Waypoint
 from helicoide.view.path_rows import scaling
-from helicoide.view.rows import (
-    Button,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForArm,
-    ForSeat,
-    PageRequest,
-    PlayTaught,
-    Row,
-    Save,
-    Slider,
-    TextEntry,
-    Upload,
-    VectorRow,
-    View,
-)
+from helicoide.view.requests import ForArm, ForSeat, PageRequest, PlayTaught, Save
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, Row, Slider, TextEntry, Upload, VectorRow
+from helicoide.view.window_view import View
 
 FILE, LONGEST_STAY = "waypoints.toml", 60.0
 ADD = Text(en="Add waypoint", pt_BR="Adicionar ponto")

@@ -13,8 +13,10 @@ from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.formula import blade_words, formula_html
 from helicoide.view.inspector_rows import chosen_coefficient, inspected
-from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, View
+from helicoide.view.requests import ForSeat
+from helicoide.view.rows import Dropdown, Folder, HtmlRow
 from helicoide.view.settings import NONE
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Why this number", pt_BR="Por que este número")
 CHOOSE = Text(

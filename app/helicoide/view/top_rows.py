@@ -12,20 +12,8 @@ from helicoide.seat import Seat
 from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.view.camera import PRESETS
 from helicoide.view.link_rows import link_rows
-from helicoide.view.rows import (
-    Button,
-    ButtonGroup,
-    Checkbox,
-    CopyLink,
-    Dropdown,
-    Folder,
-    ForSeat,
-    Look,
-    OwnArm,
-    Redo,
-    Row,
-    Undo,
-)
+from helicoide.view.requests import CopyLink, ForSeat, Look, OwnArm, Redo, Undo
+from helicoide.view.rows import Button, ButtonGroup, Checkbox, Dropdown, Folder, Row
 
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 OWN = Text(en="Use my own arm", pt_BR="Usar meu próprio braço")

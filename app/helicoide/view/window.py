@@ -25,13 +25,14 @@ from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.palette import palette
 from helicoide.view.placed_rows import WindowRow, place_rows
-from helicoide.view.rows import CopyLink, Look, PageRequest, ShowTab, View
+from helicoide.view.requests import CopyLink, Look, PageRequest, ShowTab
 from helicoide.view.scene import outlook
 from helicoide.view.serve import set_theme
 from helicoide.view.shapes import Shape
 from helicoide.view.share import SharedView, encode_link
 from helicoide.view.top_rows import top_rows
 from helicoide.view.uploads import Uploads
+from helicoide.view.window_view import View
 
 Client = viser.ClientHandle
 PANEL = untranslated("Helicoide")

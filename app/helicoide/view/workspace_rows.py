@@ -17,7 +17,9 @@ from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import MAP_KINDS, MapKind, WorkspaceMap, fixed_tool_text, plane_normal
 from helicoide.text import Text, number_text, untranslated, with_decimal_comma
 from helicoide.view import html
-from helicoide.view.rows import Bar, Button, CountMap, Dropdown, Folder, ForArm, ForSeat, HtmlRow, Row, Slider, View
+from helicoide.view.requests import CountMap, ForArm, ForSeat
+from helicoide.view.rows import Bar, Button, Dropdown, Folder, HtmlRow, Row, Slider
+from helicoide.view.window_view import View
 
 # From low to high, each lighter than the one before, so that they differ without colour vision too.
 ANCHORS = np.array([(59, 28, 110), (49, 94, 160), (30, 148, 139), (118, 196, 88), (250, 222, 60)], dtype=np.float64)

@@ -23,8 +23,9 @@ import viser
 from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
-from helicoide.view.rows import Act, PageRequest, View
+from helicoide.view.requests import Act, PageRequest
 from helicoide.view.shapes import Shape
+from helicoide.view.window_view import View
 
 DRAWN_FOR = 0.82
 KINDS = {

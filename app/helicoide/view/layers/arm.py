@@ -15,8 +15,8 @@ import viser
 from helicoide.arrays import Array
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
-from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
+from helicoide.view.window_view import View
 
 NAME = "arm"
 SHARED = True

@@ -8,7 +8,7 @@ import viser
 from helicoide.text import Text
 from helicoide.view.colours import BLUE
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "axes"
 SHARED = False

@@ -7,7 +7,7 @@ import viser
 from helicoide.arrays import Array
 from helicoide.kinematics.ball import BALL_RADIUS
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "ball"
 SHARED = True

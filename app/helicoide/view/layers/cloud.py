@@ -9,7 +9,7 @@ from helicoide.state import FittedCloud
 from helicoide.text import Text
 from helicoide.view.colours import GREEN, GREY
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "cloud"
 SHARED = False

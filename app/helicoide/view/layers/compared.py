@@ -6,7 +6,7 @@ from helicoide.text import Text
 from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "compared"
 SHARED = False

@@ -18,7 +18,7 @@ from helicoide.text import Text
 from helicoide.view.colours import GREEN
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "console"
 SHARED = False

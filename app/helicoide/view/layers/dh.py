@@ -16,7 +16,7 @@ from helicoide.view.colours import BLUE, GREEN, ORANGE, PURPLE
 from helicoide.view.figures import FrameSet, Names, Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "dh"
 SHARED = False

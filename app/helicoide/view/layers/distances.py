@@ -11,7 +11,7 @@ from helicoide.view.colours import BLUE, ORANGE, VERMILION
 from helicoide.view.figures import Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "distances"
 SHARED = False

@@ -6,7 +6,7 @@ import viser
 
 from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "entry"
 SHARED = True

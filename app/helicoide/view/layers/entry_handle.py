@@ -9,7 +9,8 @@ from helicoide.arrays import Array
 from helicoide.state import Drag
 from helicoide.view import bind
 from helicoide.view.layers import Stage
-from helicoide.view.rows import ForArm, View
+from helicoide.view.requests import ForArm
+from helicoide.view.window_view import View
 
 NAME = "entry_handle"
 SHARED = False

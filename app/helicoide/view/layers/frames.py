@@ -7,7 +7,7 @@ import viser
 from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "frames"
 SHARED = False

@@ -10,7 +10,7 @@ from helicoide.state import State
 from helicoide.view.colours import GREEN, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "goal"
 SHARED = True

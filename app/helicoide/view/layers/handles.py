@@ -11,7 +11,8 @@ from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import pane_wxyz
-from helicoide.view.rows import ForArm, View
+from helicoide.view.requests import ForArm
+from helicoide.view.window_view import View
 
 NAME = "handles"
 SHARED = False

@@ -17,7 +17,7 @@ from helicoide.view.joint_colours import joint_colour
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border, pane_wxyz
 from helicoide.view.pose import place_node
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "lit"
 SHARED = False

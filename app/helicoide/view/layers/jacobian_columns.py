@@ -10,7 +10,7 @@ from helicoide.view.colours import BLUE, ORANGE
 from helicoide.view.figures import Arrows, Names
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "columns"
 SHARED = False

@@ -10,7 +10,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.view.colours import BLUE
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "linked"
 SHARED = False

@@ -16,7 +16,7 @@ from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "null"
 SHARED = False

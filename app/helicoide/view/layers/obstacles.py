@@ -8,7 +8,7 @@ import viser
 from helicoide.ik import ObstacleContact
 from helicoide.readout import limited_by
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "obstacles"
 SHARED = True

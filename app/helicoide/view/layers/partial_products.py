@@ -9,7 +9,7 @@ from helicoide.text import Text
 from helicoide.view.figures import FrameSet, Names
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "products"
 SHARED = False

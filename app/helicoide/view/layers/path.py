@@ -10,7 +10,7 @@ from helicoide.command import FollowPath, PathChoice
 from helicoide.text import Text
 from helicoide.view.colours import GREY
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "path"
 SHARED = False

@@ -18,7 +18,8 @@ from helicoide.state import State
 from helicoide.view import bind
 from helicoide.view.colours import VERMILION
 from helicoide.view.layers import Stage
-from helicoide.view.rows import ForArm, ForSeat, View
+from helicoide.view.requests import ForArm, ForSeat
+from helicoide.view.window_view import View
 
 NAME = "picked"
 SHARED = False

@@ -11,7 +11,7 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import robot_parts
 from helicoide.readout import zones
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "planes"
 SHARED = True

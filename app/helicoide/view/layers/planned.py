@@ -15,7 +15,7 @@ from helicoide.view.figures import Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "plan"
 SHARED = False

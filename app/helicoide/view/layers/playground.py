@@ -15,7 +15,8 @@ from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.colours import BLUE, GREEN, GREY, VERMILION
 from helicoide.view.layers import Stage
-from helicoide.view.rows import ForSeat, View
+from helicoide.view.requests import ForSeat
+from helicoide.view.window_view import View
 
 NAME = "playground"
 SHARED = False

@@ -19,7 +19,8 @@ from helicoide.view.colours import GREEN, GREY
 from helicoide.view.figures import Names
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import ForArm, ListPostures, View
+from helicoide.view.requests import ForArm, ListPostures
+from helicoide.view.window_view import View
 
 NAME = "postures"
 SHARED = False

@@ -13,7 +13,7 @@ from helicoide.view.colours import GREEN, ORANGE
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border
 from helicoide.view.outline import Outline
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "recorded"
 SHARED = False

@@ -14,7 +14,7 @@ from helicoide.readout import DrawnScrew
 from helicoide.text import Text
 from helicoide.view.colours import BLUE, GREY, VERMILION
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "screw"
 SHARED = False

@@ -15,7 +15,7 @@ from helicoide.view.colours import GREY, PURPLE, SKY
 from helicoide.view.figures import Names, Segments, polyline
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "shaft"
 SHARED = False

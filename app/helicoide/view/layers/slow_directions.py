@@ -10,7 +10,7 @@ from helicoide.view.colours import ORANGE, VERMILION
 from helicoide.view.figures import Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "singular"
 SHARED = False

@@ -16,7 +16,8 @@ from helicoide.view import bind
 from helicoide.view.colours import GREEN, VERMILION
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
-from helicoide.view.rows import ForArm, View
+from helicoide.view.requests import ForArm
+from helicoide.view.window_view import View
 
 NAME = "target"
 SHARED = False

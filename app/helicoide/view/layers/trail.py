@@ -10,7 +10,7 @@ import viser
 from helicoide.text import Text
 from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
+from helicoide.view.window_view import View
 
 NAME = "trail"
 SHARED = False

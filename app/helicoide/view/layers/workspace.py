@@ -12,8 +12,8 @@ from helicoide.kinematics.workspace import WorkspaceMap, plane_normal
 from helicoide.state import initial_state
 from helicoide.text import Text
 from helicoide.view.layers import Stage
-from helicoide.view.rows import View
 from helicoide.view.scene import outlook
+from helicoide.view.window_view import View
 from helicoide.view.workspace_rows import middles, scale_of, values
 
 NAME = "workspace"

@@ -12,7 +12,9 @@ from helicoide.view.colours import GREEN, ORANGE, PURPLE
 from helicoide.view.figures import Arrows, Names, Segments
 from helicoide.view.layers import Stage
 from helicoide.view.optional_layer import OptionalLayer
-from helicoide.view.rows import ForSeat, PageRequest, Row, VectorRow, View
+from helicoide.view.requests import ForSeat, PageRequest
+from helicoide.view.rows import Row, VectorRow
+from helicoide.view.window_view import View
 
 NAME = "wrench"
 SHARED = False

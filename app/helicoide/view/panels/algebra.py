@@ -22,9 +22,10 @@ from helicoide.view.inspector_rows import highlight_row, inspected, inspector_ro
 from helicoide.view.notation_rows import notation_rows
 from helicoide.view.playground_rows import playground_rows
 from helicoide.view.pose_form_rows import pose_form_rows
-from helicoide.view.rows import Folder, HtmlRow, Row, View
+from helicoide.view.rows import Folder, HtmlRow, Row
 from helicoide.view.stage_rows import stage_rows
 from helicoide.view.term_rows import term_rows
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2

@@ -17,7 +17,9 @@ from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
 from helicoide.view.panels.robot import joint_row
-from helicoide.view.rows import Button, Dropdown, ForArm, ForSeat, HtmlRow, PageRequest, Row, View
+from helicoide.view.requests import ForArm, ForSeat, PageRequest
+from helicoide.view.rows import Button, Dropdown, HtmlRow, Row
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Lesson", pt_BR="Lição")
 ORDER = 0

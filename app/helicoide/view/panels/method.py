@@ -21,20 +21,10 @@ from helicoide.view.comparison import CHARTS, comparison_charts, largest_values
 from helicoide.view.instruments import instrument_table
 from helicoide.view.modes import MODES, mode_table
 from helicoide.view.objective import objective_rows
-from helicoide.view.rows import (
-    Button,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForArm,
-    HtmlRow,
-    Plot,
-    Row,
-    Slider,
-    TrySingular,
-    View,
-)
+from helicoide.view.requests import ForArm, TrySingular
+from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Plot, Row, Slider
 from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Method", pt_BR="Método")
 ORDER = 3

@@ -21,22 +21,10 @@ from helicoide.view.path_rows import path_rows
 from helicoide.view.plan_rows import plan_rows
 from helicoide.view.plane_rows import plane_rows
 from helicoide.view.posture_rows import posture_rows
-from helicoide.view.rows import (
-    Button,
-    Checkbox,
-    Dropdown,
-    Folder,
-    ForArm,
-    ForLab,
-    ForSeat,
-    HtmlRow,
-    PageRequest,
-    Row,
-    Slider,
-    VectorRow,
-    View,
-)
+from helicoide.view.requests import ForArm, ForLab, ForSeat, PageRequest
+from helicoide.view.rows import Button, Checkbox, Dropdown, Folder, HtmlRow, Row, Slider, VectorRow
 from helicoide.view.teaching_rows import ball_rows, teaching_rows
+from helicoide.view.window_view import View
 from helicoide.view.workspace_rows import workspace_rows
 
 TITLE = Text(en="Robot", pt_BR="Robô")

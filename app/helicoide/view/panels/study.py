@@ -32,21 +32,10 @@ from helicoide.studies.study import Row as Quantity
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
 from helicoide.view.export_rows import export_rows
-from helicoide.view.rows import (
-    Bar,
-    Button,
-    Checkbox,
-    DependentRows,
-    Dropdown,
-    Folder,
-    ForStudyPanel,
-    HtmlRow,
-    Play,
-    Plot,
-    Row,
-    View,
-)
+from helicoide.view.requests import ForStudyPanel, Play
+from helicoide.view.rows import Bar, Button, Checkbox, DependentRows, Dropdown, Folder, HtmlRow, Plot, Row
 from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
+from helicoide.view.window_view import View
 
 TITLE = Text(en="Study", pt_BR="Estudo")
 ORDER = 4

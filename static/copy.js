@@ -1,12 +1,16 @@
-// Buttons that copy the text they carry. Without a secure context (a classroom's plain http) the clipboard is reached by
-// a hidden text field.
+// Buttons that copy the text they carry. Without a secure context (a classroom's plain http), and in the cell of a
+// notebook, whose page may forbid it, the clipboard is reached by a hidden text field.
 "use strict";
 
 (() => {
   const SHOWN_MS = 1500;
 
   async function copy(text) {
-    if (navigator.clipboard) return navigator.clipboard.writeText(text);
+    try {
+      return await navigator.clipboard.writeText(text);
+    } catch {
+      // go on with the text field
+    }
     const field = document.createElement("textarea");
     field.value = text;
     field.style.position = "fixed";

@@ -236,6 +236,12 @@
     settle();
   }
 
+  // macOS does not report that a key was released while Command was down: all keys count as released with Command.
+  function releaseKey(event) {
+    for (const what of event.key === "Meta" ? held : []) if (typeof what === "string") held.delete(what);
+    release(event.code);
+  }
+
   function releaseAll() {
     held.clear();
     settle();
@@ -247,7 +253,7 @@
   window.addEventListener("helicoide-window", introduce);
   window.addEventListener("pointerdown", (event) => press(event.pointerId), true);
   window.addEventListener("keydown", (event) => event.isTrusted && press(event.code), true);
-  window.addEventListener("keyup", (event) => release(event.code), true);
+  window.addEventListener("keyup", releaseKey, true);
   window.addEventListener("pointermove", (event) => event.buttons === 0 && release(event.pointerId), true);
   window.addEventListener("blur", releaseAll); // the page gets no event for a key that is released elsewhere
   for (const end of ["pointerup", "pointercancel"]) {

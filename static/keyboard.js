@@ -128,7 +128,7 @@
 
   window.addEventListener("keydown", stepSlider, true);
   window.addEventListener("keydown", stepTarget, true);
-  window.addEventListener("keyup", (event) => drag?.code === event.code && endDrag(), true);
+  window.addEventListener("keyup", (event) => (drag?.code === event.code || event.key === "Meta") && endDrag(), true);
   window.addEventListener("blur", endDrag);
   window.addEventListener("helicoide-deaf", () => (drag = null)); // the key has no effect until it is pressed again
   window.addEventListener("keydown", undo, true);

@@ -81,6 +81,7 @@ def test_a_hostile_link_is_refused_in_words(link: str) -> None:
         "slider a = nan from 0 to 1",
         "slider a = 2 from 0 to 1",
         "slider a = 0 from 0 to 0",
+        "slider a = 0 from 0 to 5e-324",
         "slider a = 0 from -inf to 1",
         "slider a = 0 from 0 to 1e99",
         "slider a b",

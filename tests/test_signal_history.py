@@ -31,7 +31,7 @@ def driven(state: State, ticks: int) -> tuple[SignalHistory, list[State]]:
     history, states = NO_SIGNAL_HISTORY, []
     for _ in range(ticks):
         state = after(state, 0.01)
-        if history.is_due(state):
+        if history.is_due(state, needed_signals(state, SHOWN)):
             history = sampled(history, state)
             states.append(state)
     return history, states
@@ -60,7 +60,7 @@ def test_it_is_bounded(state: State) -> None:
 def test_another_arm_begins_anew(state: State) -> None:
     history, _ = driven(state, 30)
     other = replace(initial_state(load_robot("puma560")), t=state.t + 1)
-    assert history.is_due(other)
+    assert history.is_due(other, ())
     fresh = sampled(history, other)
     assert fresh.robot is other.robot
     assert len(fresh.times) == 1
@@ -69,7 +69,7 @@ def test_another_arm_begins_anew(state: State) -> None:
 
 def test_a_time_before_the_last_sample_begins_anew(state: State) -> None:
     history, states = driven(state, 30)
-    assert history.is_due(states[0])
+    assert history.is_due(states[0], ())
     assert len(sampled(history, states[0]).times) == 1
 
 
@@ -82,6 +82,18 @@ def test_a_signal_that_is_added_or_changes_its_curves_is_blank_before(state: Sta
     assert np.isnan(wider.values["planes"][:-1]).all()
     assert np.isnan(wider.values["speed"][:-1]).all()
     assert np.isfinite(wider.values["planes"][-1, 0]).all()
+
+
+def test_a_signal_that_is_new_is_sampled_at_once_and_no_time_twice(state: State) -> None:
+    history, states = driven(state, 20)
+    last = replace(states[-1], t=float(history.times[-1]))
+    assert not history.is_due(last, needed_signals(last, SHOWN))
+    signals = needed_signals(last, (*SHOWN, "speed"))
+    assert history.is_due(last, signals)
+    wider = history.with_sample(last, signals)
+    np.testing.assert_array_equal(wider.times, history.times)
+    assert np.isfinite(wider.values["speed"][-1, 0]).all()
+    assert not wider.is_due(last, signals)
 
 
 def test_two_arms_are_kept_apart(state: State) -> None:

@@ -57,6 +57,11 @@ def number_text(value: float, spec: str = "g") -> Text:
     return with_decimal_comma(f"{value:{spec}}")
 
 
+def rounded_text(value: float, decimals: int) -> Text:
+    """A number with so many decimals and a minus sign, without one if it is rounded to 0."""
+    return with_decimal_comma(f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−"))
+
+
 def numbers_text(values: Iterable[float], spec: str = "g") -> Text:
     """Several numbers: separated by commas in English, by semicolons in Portuguese because of its decimal comma."""
     texts = [number_text(value, spec) for value in values]

@@ -147,6 +147,17 @@ def test_the_copy_button_gives_every_digit(lab: Lab, page: Page) -> None:
     until(page, lambda: page.evaluate("navigator.clipboard.readText()").replace("\r\n", "\n") == exact)
 
 
+def test_the_copy_button_works_where_the_clipboard_is_forbidden(lab: Lab, page: Page) -> None:
+    """As in the cell of a notebook, a frame of another origin."""
+    inspect(lab, page, Selection("tool"))
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.evaluate("navigator.clipboard.writeText('')")
+    page.evaluate("() => { navigator.clipboard.writeText = () => Promise.reject(new DOMException('forbidden')); }")
+    page.locator(".helicoide-copy").click()
+    until(page, lambda: page.evaluate("navigator.clipboard.readText()").startswith("Cl("))
+    page.evaluate("() => { delete navigator.clipboard.writeText; }")
+
+
 def test_both_algebras_and_both_names_of_blades(lab: Lab, page: Page) -> None:
     inspect(lab, page, Selection("tool"))
     grid = page.locator(".helicoide-lit .helicoide-grid")

@@ -78,6 +78,17 @@ def test_a_held_key_is_dead_after_a_stop_until_it_is_pressed_anew(lab: Lab, page
     until(page, lambda: isinstance(lab.state.request.command, MoveToPose))
 
 
+def test_a_key_whose_release_macos_does_not_report_is_not_held(page: Page) -> None:
+    """While Command is down, macOS reports no release of other keys; the page must accept actions after a stop."""
+    page.keyboard.down("Meta")
+    page.keyboard.down("z")
+    page.keyboard.up("Meta")
+    page.evaluate("window.drives = false")
+    page.keyboard.press("Escape")
+    page.wait_for_function("window.drives")
+    page.keyboard.up("z")
+
+
 def test_escape_closes_a_list_and_says_no_more_where_nothing_moved(lab: Lab, page: Page) -> None:
     press(page, "Play")
     until(page, lambda: lab.state.arm.moving)

@@ -107,8 +107,8 @@ def test_record_scrub_replay_and_save(lab: Lab, shared_page: Page, folder: Path)
     until(page, lambda: not isinstance(lab.state.request.command, Replay))
     np.testing.assert_allclose(lab.state.arm.q, shown.samples.q[-1], atol=1e-3)
 
-    csv_rows = list(csv.DictReader(io.StringIO(saved(page, "Save as CSV").decode())))
-    mcap = saved(page, "Save as MCAP")
+    csv_rows = list(csv.DictReader(io.StringIO(saved(page, "Save recording as CSV").decode())))
+    mcap = saved(page, "Save recording as MCAP")
     assert mcap == (folder / name).read_bytes()
     messages = [m for _, _, m in make_reader(io.BytesIO(mcap)).iter_messages("/joint_states")]
     assert len(messages) == len(csv_rows) == len(shown.samples.times)

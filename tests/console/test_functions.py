@@ -34,5 +34,25 @@ def test_a_function_is_described_and_says_so_when_it_is_called_wrongly(function:
     assert function.signature in result.error.text.pt_BR
 
 
+def test_parallel_planes_have_a_distance_whatever_the_rounding_of_their_normals() -> None:
+    lines = ("M = rotor(1,2,3,0.7)*translator(0.1,0.2,0.3)", "distance(M >> plane(0,0,1,0.5), M >> plane(0,0,1,2))")
+    np.testing.assert_allclose(numbers(*lines), 1.5, atol=1e-12)
+    np.testing.assert_allclose(numbers("distance(plane(1,2,3,0), plane(0.1,0.2,0.3,1))"), 1, atol=1e-12)
+    for second in ("plane(1,0,0,1)", "plane(0,0.01,1,0.5)"):
+        (result,) = results(f"distance(plane(0,0,1,0), {second})")
+        assert result.error is not None
+        assert "angle(A, B)" in result.error.text.en
+
+
+def test_the_exponential_of_a_quaternion_with_a_real_part() -> None:
+    """Rounding may leave a real part, as in the rotated vector g k g*: no reason to refuse it."""
+    np.testing.assert_allclose(numbers("exp(0.5 + pi/3*k)"), numbers("exp(0.5)*exp(pi/3*k)"), rtol=1e-14)
+    assert results("exp(1e+9 + k)")[0].error is not None
+
+
+def test_what_is_too_large_has_no_unit_size() -> None:
+    assert results("unit(1e+200*e1)")[0].error is not None
+
+
 def test_the_functions_that_a_course_needs_are_there() -> None:
     assert all_functions().keys() >= WANTED

@@ -52,7 +52,7 @@ def check(line: str, state: State) -> bool:
         assert result.value.algebra in (CL031, PGA, QUATERNIONS)
         assert abs(result.value.values).max() < float("inf")
     assert value_text(result.value)
-    assert value_latex(result.value, "pt_BR")
+    assert value_latex(result.value)
     return True
 
 

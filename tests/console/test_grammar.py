@@ -112,6 +112,12 @@ def test_a_name_that_is_defined_further_down_is_no_slider() -> None:
     assert second.value == 2
 
 
+def test_a_wrong_definition_of_a_blade_leaves_the_lines_above_it_as_they_are() -> None:
+    first, second = results("e1 + pi", "e1 = 2")
+    assert first.value is not None
+    assert second.error is not None
+
+
 @pytest.mark.parametrize("opening", ["-", "~", "1+(", "sin(", "1**", "-("])
 def test_nesting_is_bounded(opening: str) -> None:
     closing = ")" * opening.count("(")

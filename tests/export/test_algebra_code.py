@@ -11,15 +11,17 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 from latex2mathml.converter import convert
+from tests.driving import with_joints
+from tests.kinematics.arms import arm
 from tests.readout.scenes import SCENES, scene
 
 from helicoide import readout
 from helicoide.arrays import Array
-from helicoide.export.algebra_code import SYMBOLS, Formula, galaga_code, kingdon_code, latex_text
+from helicoide.export.algebra_code import VARIABLES, Formula, galaga_code, kingdon_code, latex_text
 from helicoide.geometry.notation import BladeNaming
 from helicoide.readout import ALGEBRAS, Element
 from helicoide.seat import Notation
-from helicoide.state import State
+from helicoide.state import State, initial_state
 
 NOTATIONS = [Notation(algebra, naming) for algebra in ALGEBRAS for naming in get_args(BladeNaming)]
 
@@ -72,7 +74,7 @@ def test_the_code_computes_the_multivector(name: str, seed: int, notation: Notat
         seen.add(element.selection.kind)
         names = run(written(formula(state, element, notation)))
         expected = readout.in_algebra(element.nature, element.values(state), notation.algebra)
-        found = read(names, SYMBOLS[element.nature], notation)
+        found = read(names, VARIABLES[element.nature], notation)
         np.testing.assert_allclose(found, expected, atol=1e-12, err_msg=element.title.en)
 
 
@@ -93,3 +95,11 @@ def test_latex_has_every_coefficient_with_all_digits(name: str, seed: int, notat
             found[place] = sign * float(re.sub(r" \\times 10\^\{(-?\d+)\}", r"e\1", number))
         expected = readout.in_algebra(element.nature, element.values(state), notation.algebra)
         np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize("name", ["puma560", "polar_rp"])
+def test_latex_writes_a_tiny_joint_value_as_a_power_of_ten(name: str) -> None:
+    state = with_joints(initial_state(arm(name)), np.full(len(arm(name).variables), 1.5e-9))
+    text = latex_text(formula(state, readout.elements(state)[0], Notation()))
+    assert r"\times 10^{-" in text
+    assert not re.search(r"\de", text)

@@ -48,3 +48,12 @@ def test_without_a_rotation_it_is_the_direction_and_without_anything_none() -> N
     assert (axis.size, axis.along, axis.pitch) == (0.0, 5.0, np.inf)
     np.testing.assert_array_equal(axis.direction, [0, 0.6, 0.8])
     assert central_axis(still, still, p, 1.0) is None
+
+
+def test_an_axis_that_is_very_far_away_counts_as_none() -> None:
+    """A straight motion has a rotation by the small errors of the step: its axis would be drawn kilometres away."""
+    v = np.array([0.1, 0.0, 0.0])
+    axis = central_axis(np.array([0.0, 0.0, 1e-6]), v, np.zeros(3), 1.0)
+    assert axis is not None
+    assert (axis.size, axis.along) == (0.0, 0.1)
+    np.testing.assert_array_equal(axis.direction, [1.0, 0.0, 0.0])

@@ -20,23 +20,22 @@ def test_segments_lead_from_frame_to_frame_and_arcs_from_axis_to_axis(name: str)
     standard = robot.dh.convention == "standard"
     for q in postures(robot, 5):
         frames = dh_frames(robot, q)
-        for (before, after), row in zip(pairwise(frames), dh_parts(robot, q, frames, RADIUS), strict=True):
-            first, second = (row.d, row.a) if standard else (row.a, row.d)
+        parts = dh_parts(robot, q, frames, RADIUS)
+        for (before, after), theta, d, a, alpha, values in zip(pairwise(frames), *parts, strict=True):
+            first, second = (d, a) if standard else (a, d)
             close(first[0], before[:3, 3])
             close(first[1], second[0])
             close(second[1], after[:3, 3])
             z, x = (before[:3, 2], after[:3, 0]) if standard else (after[:3, 2], before[:3, 0])
-            close(row.d[1] - row.d[0], row.values.d * z)
-            close(row.a[1] - row.a[0], row.values.a * x)
-            turns = (row.theta - first[1]) / RADIUS
+            close(d[1] - d[0], values[1] * z)
+            close(a[1] - a[0], values[2] * x)
+            turns = (theta - first[1]) / RADIUS
             close(turns @ z, 0.0)
             close(np.linalg.norm(turns, axis=1), 1.0)
             if standard:
                 close(turns[0], before[:3, 0])
-                close(turns[-1], after[:3, 0])
-            else:
-                close(turns[-1], after[:3, 0])
-            leans = (row.alpha - (second[1] if standard else first[1])) / RADIUS
+            close(turns[-1], after[:3, 0])
+            leans = (alpha - (second[1] if standard else first[1])) / RADIUS
             close(leans[0], before[:3, 2])
             close(leans[-1], after[:3, 2])
 
@@ -44,9 +43,9 @@ def test_segments_lead_from_frame_to_frame_and_arcs_from_axis_to_axis(name: str)
 def test_the_lengths_of_the_movemaster_are_those_of_its_file() -> None:
     robot = arm("movemaster")
     q = robot.poses["ready"]
-    for row, given in zip(dh_parts(robot, q, dh_frames(robot, q), RADIUS), robot.dh.rows, strict=True):
-        close(np.linalg.norm(row.d[1] - row.d[0]), abs(given.d))
-        close(np.linalg.norm(row.a[1] - row.a[0]), abs(given.a))
+    parts = dh_parts(robot, q, dh_frames(robot, q), RADIUS)
+    close(np.linalg.norm(parts.d[:, 1] - parts.d[:, 0], axis=1), [abs(row.d) for row in robot.dh.rows])
+    close(np.linalg.norm(parts.a[:, 1] - parts.a[:, 0], axis=1), [abs(row.a) for row in robot.dh.rows])
 
 
 def close(one: object, other: object) -> None:

@@ -13,6 +13,7 @@ from tests.readout.scenes import SCENES, scene
 
 from helicoide import readout
 from helicoide.arrays import Array
+from helicoide.geometry import rigid
 from helicoide.geometry.notation import BladeNaming
 from helicoide.readout import ALGEBRAS, Element
 from helicoide.seat import Notation, Selection, ShownAlgebra
@@ -60,6 +61,14 @@ def numbers(X: Any, names: list[str], algebra: ShownAlgebra) -> Array:
 
 def framed(state: State) -> Iterator[Element]:
     yield from (element for element in readout.elements(state) if element.pose is not None)
+
+
+@pytest.mark.parametrize(("name", "seed"), SCENES)
+def test_motors_have_the_canonical_sign(name: str, seed: int) -> None:
+    state = scene(name, seed)
+    for element in framed(state):
+        values = element.values(state)
+        np.testing.assert_array_equal(values, rigid.canonical(values))
 
 
 @pytest.mark.parametrize("notation", NOTATIONS, ids=str)

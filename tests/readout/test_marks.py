@@ -80,6 +80,17 @@ def test_what_is_lit_lies_on_what_is_drawn(name: str, seed: int) -> None:
                 assert error(state, element, values, blade) < EXACT * max(1.0, state.robot.reach), (element, blade)
 
 
+@pytest.mark.parametrize("name", [name for name, seed in SCENES if seed == 0])
+def test_a_component_that_is_zero_has_no_arrow(name: str) -> None:
+    """The first axis of an arm is often vertical: its x and y components are zero, and an arrow has a head."""
+    state = scene(name, 0)
+    for element in readout.elements(state):
+        values = element.values(state)
+        for blade in CL031.names:
+            arrows = readout.coefficient_marks(element.nature, values, blade, state.robot.reach).arrows
+            assert (np.linalg.norm(arrows[:, 1] - arrows[:, 0], axis=1) > 1e-7).all(), (element.title.en, blade)
+
+
 @pytest.mark.parametrize(("name", "seed"), SCENES)
 def test_the_helix_begins_at_the_base_and_ends_at_the_frame(name: str, seed: int) -> None:
     state = scene(name, seed)

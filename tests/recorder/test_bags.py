@@ -21,10 +21,11 @@ from helicoide.arrays import Array
 from helicoide.contributions.trials import with_joints
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
-from helicoide.recorder import bags
+from helicoide.recorder import bags, mcap_file
 from helicoide.recorder.joint_log import MOST_SAMPLES
 from helicoide.recorder.read_back import read_back
 from helicoide.recorder.reading import read_recording
+from helicoide.recorder.recorded_arm import recorded_arm
 from helicoide.recorder.recording import Recording
 from helicoide.recorder.replay import replay_recording
 from helicoide.recorder.ros import DEFINITIONS, JOINT_STATE, SETPOINT, STATUS
@@ -235,6 +236,24 @@ def reason(path: Path) -> str:
 def test_a_recording_of_an_arm_at_rest_is_refused(tmp_path: Path) -> None:
     recorded(moved()[:1], tmp_path / "rest.mcap")
     assert reason(tmp_path / "rest.mcap") == "the arm did not move while it was recorded"
+
+
+@every
+def test_a_bag_without_joints_is_refused_in_words(kind: str, tmp_path: Path) -> None:
+    assert reason(BAGS[kind](tmp_path, lambda _: [])).startswith("there are no two samples of joints in it")
+
+
+def test_metadata_that_name_other_joints_than_the_samples_are_not_believed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    states = moved("planar3r", 0.3)
+    six = recorded_arm(load_robot("puma560"))
+    monkeypatch.setattr(mcap_file, "recorded_arm", lambda _: six)
+    recorded(states, tmp_path / "forged.mcap")
+    recording = read(tmp_path / "forged.mcap")
+    assert len(recording.arm.joints) == recording.samples.q.shape[1] == 3
+    with pytest.raises(HelicoideError, match="This arm has"):
+        read_back(recording, initial_state(load_robot("puma560")))
 
 
 @pytest.mark.parametrize("ending", [".mcap", ".bag", ".db3", ".zip"])

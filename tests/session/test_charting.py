@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from types import SimpleNamespace
 from unittest.mock import patch
 
 import numpy as np
@@ -12,11 +13,14 @@ from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate
+from helicoide.kinematics.library import load_robot
 from helicoide.readout.signal import Signal
 from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.seat import Seat
 from helicoide.session.lab import Lab
+from helicoide.session.seats import Place
 from helicoide.session.visitor import Visitor
+from helicoide.state import initial_state
 from helicoide.view.signal_rows import with_group, with_signal
 
 
@@ -36,7 +40,9 @@ def hand(lab: Lab) -> Iterator[Hand]:
 
 def visitor_of(lab: Lab, hand: Hand) -> Visitor:
     key = hand.page.window.result()
-    return next(one for one in lab.visitors.values() if one.window.link.key == key)
+    visitor = next(one for one in lab.visitors.values() if one.window.link.key == key)
+    assert eventually(lambda: visitor.settled)  # which begins a new history
+    return visitor
 
 
 def move(lab: Lab, visitor: Visitor, along: float) -> None:
@@ -71,6 +77,20 @@ def test_nothing_is_read_while_no_chart_is_chosen_or_charts_are_paused(lab: Lab,
 
 def paused(seat: Seat) -> Seat:
     return replace(seat, charts=replace(seat.charts, paused=True))
+
+
+def test_paused_charts_of_another_arm_are_dropped() -> None:
+    planar, puma = (initial_state(load_robot(name)) for name in ("planar3r", "puma560"))
+    cell = SimpleNamespace(state=planar)
+    place = Place(with_group(Seat("a", "en"), "joints"))
+    visitor = Visitor(SimpleNamespace(), place, SimpleNamespace(workcell=cell))  # type: ignore[arg-type]
+    visitor.sample()
+    place.seat, kept = paused(place.seat), visitor.history
+    visitor.sample()
+    assert visitor.history is kept is not NO_SIGNAL_HISTORY
+    cell.state = puma
+    visitor.sample()
+    assert visitor.history is NO_SIGNAL_HISTORY
 
 
 def test_two_arms_are_kept_apart_and_an_arm_begins_anew(lab: Lab, hand: Hand) -> None:

@@ -55,7 +55,9 @@ def test_an_opened_link_moves_the_camera_and_no_arm(lab: Lab, visitor: Visitor) 
     assert state(lab).arm.q is before.arm.q
 
 
-@pytest.mark.parametrize("text", ["", HERE[:-7], HERE.replace("movemaster", "hal9000"), "x" * 3000])
+@pytest.mark.parametrize(
+    "text", ["", HERE[:-7], HERE.replace("movemaster", "hal9000"), HERE.replace("0.3,", ""), "x" * 3000]
+)
 def test_a_link_that_cannot_be_read_is_said_and_changes_nothing(lab: Lab, visitor: Visitor, text: str) -> None:
     said: list[object] = []
     visitor.window.tell = said.append  # type: ignore[method-assign]
@@ -73,16 +75,27 @@ def test_the_posture_of_a_link_is_executed_on_a_press(lab: Lab, visitor: Visitor
     assert eventually(lambda: bool(np.allclose(state(lab).arm.q, [0.3, 0.5, -1.2, -0.2, 0], atol=1e-3)))
 
 
-def test_a_posture_of_another_size_or_outside_the_limits_is_refused(lab: Lab, visitor: Visitor) -> None:
-    for text in (HERE.replace("0.3,0.5,-1.2,-0.2,0", "0.3"), HERE.replace("0.3,", "99,")):
-        before = state(lab)
-        lab.shared.workcell.tell(lambda state: replace(state, notice=None))
-        open_link(lab, visitor, text)
-        assert eventually(lambda: visitor.place.seat.linked is not None)
-        act(lab, visitor, requests.TakeLink(own=False))
-        assert eventually(lambda: visitor.place.seat.linked is None)
-        assert eventually(lambda before=before: state(lab).notice is not None)  # type: ignore[misc]
-        assert state(lab).arm.q is before.arm.q
+def test_a_posture_outside_the_limits_is_refused(lab: Lab, visitor: Visitor) -> None:
+    before = state(lab)
+    lab.shared.workcell.tell(lambda state: replace(state, notice=None))
+    open_link(lab, visitor, HERE.replace("0.3,", "99,"))
+    assert eventually(lambda: visitor.place.seat.linked is not None)
+    act(lab, visitor, requests.TakeLink(own=False))
+    assert eventually(lambda: visitor.place.seat.linked is None)
+    assert eventually(lambda: state(lab).notice is not None)
+    assert state(lab).arm.q is before.arm.q
+
+
+def test_a_link_about_another_robot_loads_nothing_into_the_shared_arm(lab: Lab, visitor: Visitor) -> None:
+    """As when another window has loaded a robot after the page offered to go to the posture."""
+    open_link(lab, visitor, ELSEWHERE)
+    assert eventually(lambda: visitor.place.seat.linked is not None)
+    wanted = lab.shared.arms.wanted
+    act(lab, visitor, requests.TakeLink(own=False))
+    act(lab, visitor, requests.ForSeat(lambda seat: replace(seat, dark=True)))
+    assert eventually(lambda: visitor.place.seat.dark)
+    assert lab.shared.arms.wanted == wanted
+    assert visitor.place.seat.linked is not None
 
 
 def test_another_arm_is_shown_on_an_own_one(lab: Lab, visitor: Visitor) -> None:
@@ -100,7 +113,10 @@ def test_another_arm_is_shown_on_an_own_one(lab: Lab, visitor: Visitor) -> None:
     assert state(lab).arm.q is before.arm.q
 
 
-def test_a_link_about_the_present_posture_asks_nothing(lab: Lab, visitor: Visitor) -> None:
+def test_a_link_about_the_present_posture_asks_nothing_and_ends_an_older_one(lab: Lab, visitor: Visitor) -> None:
+    open_link(lab, visitor, ELSEWHERE)
+    assert eventually(lambda: visitor.place.seat.linked is not None)
+    visitor.window.client.camera.position = (3.0, 3.0, 3.0)
     q = ",".join(f"{value:.6g}" for value in state(lab).arm.q)
     open_link(lab, visitor, HERE.replace("0.3,0.5,-1.2,-0.2,0", q))
     assert eventually(lambda: bool(np.allclose(visitor.window.client.camera.position, [1, 2, 3])))

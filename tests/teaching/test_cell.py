@@ -7,13 +7,15 @@ import sys
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from tests.session.labs import eventually
 
 import helicoide
-from helicoide.teaching.cell import LabCell
+from helicoide.state import State
+from helicoide.teaching.cell import CLOSED, LabCell
 from helicoide.text import HelicoideError
 
 
@@ -45,6 +47,18 @@ def test_joint_values_are_refused_as_on_the_page(lab: LabCell, q: object) -> Non
     np.testing.assert_array_equal(lab.q, before)
 
 
+def test_a_refusal_is_raised_also_while_the_arm_moves(lab: LabCell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The clock replaces the request at every tick, also between two looks at the state."""
+
+    def ticking(cell: LabCell) -> State:
+        state = cell._lab.shared.workcell.state
+        return replace(state, request=replace(state.request))
+
+    monkeypatch.setattr(LabCell, "state", property(ticking))
+    with pytest.raises(HelicoideError):
+        lab.q = [1.0] * 5
+
+
 def test_a_target_is_refused_as_on_the_page(lab: LabCell) -> None:
     T = np.eye(4)
     T[0, 3] = 1e6
@@ -74,6 +88,7 @@ def test_a_second_lab_is_another_one(lab: LabCell) -> None:
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(other.url)
     assert "iframe" not in other._repr_html_()
+    assert repr(other) == CLOSED.pt_BR
     with urllib.request.urlopen(lab.url) as page:
         assert page.status == 200
 

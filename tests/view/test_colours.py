@@ -29,6 +29,7 @@ from helicoide.view.layers import (
 )
 
 LEAST, SHADE = 10.0, 3.0  # ΔE₀₀, and the contrast of lines with the background
+LEGIBLE = 4.5  # contrast of text with its background
 BACKGROUNDS = {"light": (255, 255, 255), "dark": (20, 20, 20)}  # of viser's scene
 STYLES = {name: (content.STATIC / name).read_text("utf-8") for name in ("panel.css", "helicoide.css")}
 
@@ -100,6 +101,22 @@ def test_every_vision_tells_the_colours_of_a_picture_apart(name: str) -> None:
 def test_each_grade_has_a_row_and_each_verdict_a_sign() -> None:
     for grade, row in ((1, 2), (2, 3), (3, 4)):
         assert f".helicoide-grid .g{grade} {{ grid-row: {row}; }}" in STYLES["helicoide.css"]
+
+
+@pytest.mark.parametrize("scheme", BACKGROUNDS)
+def test_text_is_legible_in_both_looks(scheme: str) -> None:
+    (ground,) = variables(scheme, "ground").values()
+    for name, colour in variables(
+        scheme, "ink", "dimmed", "faint", "accent", "danger", "good", *GRADES, *VERDICTS
+    ).items():
+        assert contrast(colour, ground) >= LEGIBLE, name
+
+
+def test_no_text_has_a_colour_of_one_look_alone() -> None:
+    """A rule names the colour of its text as a variable, unless it also gives the background."""
+    for file in content.STATIC.glob("*.css"):
+        for rule in file.read_text("utf-8").split("}"):
+            assert "background: " in rule or not re.search(r"(?<![\w-])(color|fill): #", rule), (file.name, rule)
 
 
 @pytest.mark.parametrize("background", BACKGROUNDS)

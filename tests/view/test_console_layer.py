@@ -22,15 +22,7 @@ from helicoide.geometry import incidence, rigid
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.seat import Seat
-from helicoide.sheet import (
-    Sheet,
-    SheetLine,
-    with_chosen_line,
-    with_entered_line,
-    with_entry_text,
-    with_shown,
-    without_line,
-)
+from helicoide.sheet import Sheet, SheetLine, with_chosen_line, with_entered_line, with_entry_text, with_shown
 from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, HelicoideError, Language
 from helicoide.view import layers
@@ -117,14 +109,17 @@ def test_the_drawing_follows_the_arm_and_the_eye(server: viser.ViserServer, stat
     drawn.update(first, second)
     np.testing.assert_allclose(point.position, second.state.T_world_tool[:3, 3])
     np.testing.assert_allclose(motor.position, second.state.T_world_tool[:3, 3])
-    assert drawn.nodes[0]["name p"].visible
+    assert [label.text for label in drawn.names.labels] == ["p", "2"]
+    np.testing.assert_allclose(drawn.names.labels[0].position, second.state.T_world_tool[:3, 3])
     third = view_of(second.state, with_shown(sheet, False, 0))
     drawn.update(second, third)  # the motor is the first that is drawn now
     assert not point.visible
     assert drawn.nodes[0]["motor"].visible
+    assert [label.text for label in drawn.names.labels if label.visible] == ["2"]
     hidden = replace(third, seat=third.seat.with_layer(layer.NAME, False))
     drawn.update(third, hidden)
-    assert not [node for nodes in drawn.nodes for node in nodes.values() if node.visible]
+    shapes = [node for nodes in drawn.nodes for node in nodes.values()]
+    assert not [node for node in (*shapes, *drawn.names.labels) if node.visible]
 
 
 def test_whatever_is_typed_is_drawn_or_left_out(server: viser.ViserServer, state: State) -> None:
@@ -147,16 +142,17 @@ def test_nothing_is_drawn_before_the_kernels_are_ready(server: viser.ViserServer
     assert len(drawn.nodes) == 1
 
 
-def test_an_unmoved_arm_writes_nothing(server: viser.ViserServer, state: State) -> None:
+def test_an_unmoved_arm_writes_nothing(
+    server: viser.ViserServer, state: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
     drawn, view = built(server, state), view_of(state, sheet_of("tool", "L1"))
     drawn.update(None, view)
-    place, calls = layer.place_node, []
-    layer.place_node = lambda *_: calls.append(1)  # type: ignore[assignment]
-    try:
-        drawn.update(view, replace(view, state=replace(state, t=1.0)))
-    finally:
-        layer.place_node = place
+    calls: list[object] = []
+    monkeypatch.setattr(layer, "place_node", lambda node, pose: calls.append(node))
+    drawn.update(view, replace(view, state=replace(state, t=1.0)))
     assert calls == []
+    drawn.update(view, view_of(moved(state, 5), view.seat.sheet))
+    assert len(calls) == 2
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -190,8 +186,9 @@ def test_lines_are_added_changed_hidden_and_removed() -> None:
     assert [(line.text, line.shown) for line in changed.lines] == [("a = 3", False), ("b = 2", True)]
     assert changed.entry.text == ""
     assert changed.entry.past == ("a = 1", "b = 2", "a = 3")
-    assert [line.text for line in without_line(changed, 0).lines] == ["b = 2"]
-    assert [line.text for line in with_entered_line(with_chosen_line(changed, 1), "").lines] == ["a = 3"]
+    removed = with_entered_line(with_chosen_line(changed, 1), "")
+    assert [line.text for line in removed.lines] == ["a = 3"]
+    assert with_entered_line(removed, "") == removed  # pressed twice, the button removes one line
     assert with_entered_line(changed, "slider c = 2 from 0 to 5").slider("c").upper == 5
 
 

@@ -25,6 +25,7 @@ from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, Text
 from helicoide.view import layers
 from helicoide.view.layers import (
+    any_moves,
     dh,
     distances,
     force_ellipsoid,
@@ -125,7 +126,7 @@ def test_the_wrench_and_its_torques(server: viser.ViserServer, name: str) -> Non
     joints = wrench.moved_joints(robot)
     assert [int(robot.chain["driver"][joint]) for joint in joints] == list(range(len(robot.variables)))
     arrows = drawn.points("torques")
-    loaded = np.abs(torques) > 1e-9 * max(np.abs(torques).max(), wrench.LEAST)
+    loaded = np.abs(torques) > wrench.LEAST
     assert len(arrows) == loaded.sum()
     ways = arrows[:, 1] - arrows[:, 0]
     expected = torques[loaded] / np.abs(torques).max() if loaded.any() else torques[loaded]
@@ -212,7 +213,7 @@ def test_distances_by_zone(server: viser.ViserServer, name: str) -> None:
     found = readout.dimension_lines(state)
     for zone in Zone:
         same(drawn.points(zone.name), found.ends[[one is zone for one in found.zones]])
-    assert drawn.names == [f"{1000 * length + 0.0:.0f} mm".replace("-", "−") for length in found.lengths]
+    assert drawn.names == [f"{1000 * length:z.0f} mm".replace("-", "−") for length in found.lengths]
 
 
 @each_arm
@@ -224,8 +225,8 @@ def test_dh_frames_and_parts(server: viser.ViserServer, name: str) -> None:
     same([rotation.to_matrix(q.astype(float)) for q in drawn.node("frames").batched_wxyzs], frames[:, :3, :3])
     lengths = sum(float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum()) for ends in map(drawn.points, "da"))
     rows = dh.dh_parts(state.robot, state.arm.q, list(frames), 1.0)
-    same(lengths, sum(abs(row.values.d) + abs(row.values.a) for row in rows), 10)
-    assert len(drawn.names) == sum(abs(value) > dh.NOTHING for row in rows for value in row.values)
+    same(lengths, np.abs(rows.values[:, 1:3]).sum(), 10)
+    assert len(drawn.names) == (np.abs(rows.values) > dh.NOTHING).sum()
 
 
 @each_arm
@@ -287,7 +288,25 @@ def test_the_null_space_ghost_moves_and_keeps_its_tool(server: viser.ViserServer
 
 def test_without_a_null_space_there_is_no_ghost(server: viser.ViserServer) -> None:
     drawn = Drawn(server, null_motion, initial_state(arm("puma560")))
-    assert drawn.layer.outline is None
+    assert not drawn.layer.outline.frames
+
+
+def test_the_scene_is_drawn_again_by_itself_only_while_a_shown_ghost_can_move() -> None:
+    redundant, other = (initial_state(arm(name)) for name in ("dia10_rod", "puma560"))
+    assert any_moves(showing(redundant, null_motion.NAME))
+    assert not any_moves(showing(redundant))
+    assert not any_moves(replace(showing(redundant, null_motion.NAME), ready=False))
+    assert not any_moves(showing(other, null_motion.NAME)), "it has no null space"
+    assert not any_moves(showing(other, planned.NAME)), "it has no plan"
+
+
+def test_a_small_negative_number_is_shown_without_a_sign(server: viser.ViserServer) -> None:
+    state = initial_state(arm("puma560"))
+    drawn = Drawn(server, wrench, state)
+    seat = gate.set_force([-1e-3, 2e-3, 1e-3])(drawn.view.seat)
+    drawn.layer.update(drawn.view, replace(drawn.view, seat=seat))
+    assert (readout.balancing_torques(state, seat.wrench) < -wrench.LEAST).any()
+    assert [name for name in drawn.names if name.startswith("−0.0")] == []
 
 
 @pytest.mark.parametrize("name", ["puma560", "movemaster", "planar2r", "scara"])
@@ -331,7 +350,7 @@ def test_no_list_is_needed_while_the_arm_moves_or_is_parked() -> None:
 def test_the_planned_motion_is_drawn_and_the_ghost_repeats_it(server: viser.ViserServer) -> None:
     state = initial_state(arm("movemaster"))
     drawn = Drawn(server, planned, state)
-    assert drawn.layer.outline is None
+    assert not drawn.layer.outline.frames
     title = Text(en="there", pt_BR="lá")
     state = plan_motion(state, gate.set_joint(0, float(state.arm.q[0]) + 0.4), title)(state)
     plan = state.plan

@@ -18,7 +18,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load_robot
 from helicoide.sheet import Sheet, SheetLine
 from helicoide.state import State, initial_state
-from helicoide.text import HelicoideError, Text, untranslated
+from helicoide.text import HelicoideError, Text, untranslated, with_decimal_comma
 
 NO_ROBOT = Text(en="--q is for a robot: give one with --robot.", pt_BR="--q vale para um robô: dê um com --robot.")
 
@@ -84,7 +84,7 @@ def _state(robot: str | None, q: tuple[float, ...] | None, deg: bool) -> State |
 
 def _as_line(result: LineResult, value: Value) -> Text:
     name = "" if result.name is None else f"{result.name} = "
-    shown = Text(en=value_text(value, "en"), pt_BR=value_text(value, "pt_BR"))
+    shown = with_decimal_comma(value_text(value))
     return untranslated("{name}{shown}   ({kind})").format(name=name, shown=shown, kind=kind_of(value).title)
 
 

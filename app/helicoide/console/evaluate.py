@@ -13,7 +13,7 @@ from helicoide.console.names import is_reserved, reserved_value
 from helicoide.console.operators import binary, repetitions, unary
 from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, Span
 from helicoide.console.values import Value, finite_value
-from helicoide.text import HelicoideError, Text, untranslated
+from helicoide.text import HelicoideError, Text
 
 MOST_WORK = 1000  # a unit is a product of two multivectors, about 20 µs at most
 
@@ -98,6 +98,6 @@ def _call(name: str, arguments: tuple[Value, ...], budget: Budget) -> Value:
     function = all_functions().get(name)
     if function is None:
         close = similar(name, all_functions())
-        raise HelicoideError(NO_FUNCTION.format(name=untranslated(name), similar=close))
+        raise HelicoideError(NO_FUNCTION.format(name=name, similar=close))
     budget.spend(function.work * max(1, len(arguments) - 1))
     return finite_value(function(arguments))

@@ -4,30 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
 
 from helicoide.console.kinds import NOISE, ROUNDING
 from helicoide.console.values import Value
-from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Algebra
+from helicoide.geometry.clifford import PGA, QUATERNIONS
 from helicoide.geometry.multivector import Multivector
-from helicoide.text import Language
+from helicoide.geometry.notation import BladeNaming, displayed_blades
 
 DIGITS = 5  # significant ones
 
-# The signs of e3e1, e3e1e (of the sources) and e31, e032, e013, e021 (of modern texts) are those of their own order.
-BLADES = {
-    CL031: ("1", "e1", "e2", "e3", "e", "e2e3", "e3e1", "e1e2", "e1e", "e2e", "e3e", "e1e2e3", "e2e3e", "e3e1e",
-            "e1e2e", "e1e2e3e"),
-    PGA: ("1", "e1", "e2", "e3", "e0", "e23", "e31", "e12", "e01", "e02", "e03", "e123", "e032", "e013", "e021",
-          "e0123"),
-}  # fmt: skip
 UNITS = ("1", "i", "j", "k")
-
-
-@cache
-def _places(algebra: Algebra) -> list[tuple[str, int, int]]:
-    """Each blade with its place among the coefficients and its sign there."""
-    return [(name, *algebra.parse_blade(name)) for name in BLADES[algebra]]
 
 
 def value_terms(value: Value) -> list[tuple[float, str]]:
@@ -37,33 +23,32 @@ def value_terms(value: Value) -> list[tuple[float, str]]:
     if value.algebra is QUATERNIONS:
         numbered = list(zip(value.values.tolist(), UNITS, strict=True))
     else:
+        naming: BladeNaming = "compact" if value.algebra is PGA else "factors"
         numbers = value.values.tolist()
-        numbered = [(sign * numbers[place], name) for name, place, sign in _places(value.algebra)]
+        numbered = [(sign * numbers[place], name) for name, place, sign in displayed_blades(value.algebra, naming)]
     zero = max(ROUNDING * max(abs(number) for number, _ in numbered), NOISE)
     return [(number, unit) for number, unit in numbered if abs(number) > zero]
 
 
-def value_text(value: Value, language: Language = "en", digits: int = DIGITS) -> str:
-    """The value as a sum, such as 0.866 + 0.5*e2e3. In English the grammar reads it again, if it is of Cl(0,3,1)."""
-    text = _sum(_written(number, unit, "*", digits) for number, unit in value_terms(value))
-    return text if language == "en" else text.replace(".", ",")
+def value_text(value: Value) -> str:
+    """The value as a sum, such as 0.866 + 0.5*e2e3, which the grammar reads again if it is of Cl(0,3,1)."""
+    return _sum(_written(number, unit) for number, unit in value_terms(value))
 
 
-def value_latex(value: Value, language: Language = "en") -> str:
+def value_latex(value: Value) -> str:
     """The same sum in LaTeX."""
-    comma = "." if language == "en" else "{,}"
-    return _sum(_in_latex(number, unit, comma) for number, unit in value_terms(value))
+    return _sum(_in_latex(number, unit) for number, unit in value_terms(value))
 
 
-def _number(number: float, digits: int) -> str:
-    return f"{number:.{digits}g}"
+def _number(number: float) -> str:
+    return f"{number:.{DIGITS}g}"
 
 
-def _written(number: float, unit: str, times: str, digits: int) -> str:
-    shown = _number(number, digits)
+def _written(number: float, unit: str) -> str:
+    shown = _number(number)
     if unit == "1":
         return shown
-    return shown.replace("1", unit) if shown in ("1", "-1") else shown + times + unit
+    return shown.replace("1", unit) if shown in ("1", "-1") else f"{shown}*{unit}"
 
 
 def unit_latex(unit: str) -> str:
@@ -78,10 +63,10 @@ def unit_grade(unit: str) -> int:
     return len(re.findall(r"\d|e(?!\d)", unit))
 
 
-def _in_latex(number: float, unit: str, comma: str) -> str:
+def _in_latex(number: float, unit: str) -> str:
     blade = unit_latex(unit)
-    mantissa, _, power = _number(number, DIGITS).partition("e")
-    shown = mantissa.replace(".", comma) + (rf" \cdot 10^{{{int(power)}}}" if power else "")
+    mantissa, _, power = _number(number).partition("e")
+    shown = mantissa + (rf" \cdot 10^{{{int(power)}}}" if power else "")
     if unit == "1":
         return shown
     return shown.replace("1", blade) if shown in ("1", "-1") else rf"{shown}\,{blade}"

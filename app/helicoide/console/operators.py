@@ -103,9 +103,10 @@ def unary(symbol: str, operand: Value) -> Value:
 
 def repetitions(symbol: str, operands: tuple[Value, ...]) -> int:
     """How many products an operation takes."""
-    exponent = operands[-1]
-    is_power = symbol == "**" and isinstance(operands[0], Multivector) and not isinstance(exponent, Multivector)
-    return 1 + (min(int(abs(exponent)), MOST_POWER) if is_power and isinstance(exponent, float) else 0)
+    base, exponent = operands[0], operands[-1]
+    if symbol != "**" or not isinstance(base, Multivector) or isinstance(exponent, Multivector):
+        return 1
+    return 1 + min(int(abs(exponent)), MOST_POWER)
 
 
 def _algebra(value: Multivector) -> Text:

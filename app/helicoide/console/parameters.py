@@ -1,33 +1,30 @@
-"""What the functions of the console take: each parameter checks a value and converts it to an array or a number."""
+"""What the functions of the console take: each parameter checks a value and converts it to an array or a number.
+
+A parameter raises HelicoideError for a value that it does not take.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from helicoide.console.kinds import KINDS_OF_VALUES, KindName, kind_of
-from helicoide.console.values import Value, multivector_value
+from helicoide.console.values import Value, multivector_value, size_of
 from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Array
 from helicoide.geometry.motor import is_motor
 from helicoide.geometry.multivector import Multivector
 from helicoide.text import HelicoideError, Text
 
-OTHER = Text(en="{kind} is given, but this takes {wanted}", pt_BR="foi dado {kind}, mas aqui vai {wanted}")
+OTHER = Text(en="expects {wanted}, but got {kind}", pt_BR="espera {wanted}, mas recebeu {kind}")
 OTHER_ALGEBRA = Text(
     en="this takes multivectors of Cl(0,3,1): convert with sources(X)",
     pt_BR="isto recebe multivetores de Cl(0,3,1): converta com sources(X)",
 )
 
 
-@dataclass(frozen=True)
-class Parameter:
-    """A parameter of a function. title: what it takes; take: converts a value, and raises HelicoideError for others."""
-
-    title: Text
-    take: Callable[[Value], Any]
+Parameter = Callable[[Value], Any]
 
 
 def _number(value: Value) -> float | None:
@@ -81,21 +78,16 @@ def _take_grade(value: Value) -> int:
     return int(number)
 
 
-def _take_quaternion(value: Value) -> Array:
+def _take_unit_quaternion(value: Value) -> Array:
     if not isinstance(value, Multivector) or value.algebra is not QUATERNIONS:
         raise _given(value, KINDS_OF_VALUES["quaternion"])
-    return value.values
-
-
-def _take_unit_quaternion(value: Value) -> Array:
-    q = _take_quaternion(value)
-    if not abs(np.linalg.norm(q) - 1) < 1e-9:
+    if not abs(size_of(value) - 1) < 1e-9:
         what = Text(
             en="this takes a unit quaternion: divide it by its norm, as in q/norm(q)",
             pt_BR="aqui vai um quatérnio unitário: divida-o pela norma, como em q/norm(q)",
         )
         raise HelicoideError(what)
-    return q
+    return value.values
 
 
 def _take_motor(value: Value) -> Array:
@@ -115,23 +107,24 @@ def _take_multivector(value: Value) -> Multivector:
     return value
 
 
+def _take_anything(value: Value) -> Value:
+    return value
+
+
 UNIT_MOTOR = Text(en="a motor of size 1", pt_BR="um motor unitário")
 POINT_LINE_PLANE = Text(en="a point, a line or a plane", pt_BR="um ponto, uma reta ou um plano")
 LINE_OR_PLANE = Text(en="a line or a plane", pt_BR="uma reta ou um plano")
 FAR: tuple[KindName, ...] = ("direction", "far_line", "far_plane")
 
-NUMBER = Parameter(KINDS_OF_VALUES["number"], _take_number)
-GRADE = Parameter(Text(en="a grade", pt_BR="um grau"), _take_grade)
-QUATERNION = Parameter(KINDS_OF_VALUES["quaternion"], _take_quaternion)
-UNIT_QUATERNION = Parameter(KINDS_OF_VALUES["quaternion"], _take_unit_quaternion)
-MOTOR = Parameter(UNIT_MOTOR, _take_motor)
-POINT = Parameter(KINDS_OF_VALUES["point"], _elements(("point",), KINDS_OF_VALUES["point"]))
-LINE = Parameter(KINDS_OF_VALUES["line"], _elements(("line",), KINDS_OF_VALUES["line"]))
-BIVECTOR = Parameter(
-    KINDS_OF_VALUES["screw"], _elements(("line", "screw", "far_line", "zero"), KINDS_OF_VALUES["screw"], unit=False)
-)
-ELEMENT = Parameter(POINT_LINE_PLANE, _elements(("point", "line", "plane"), POINT_LINE_PLANE))
-FLAT = Parameter(LINE_OR_PLANE, _elements(("line", "plane"), LINE_OR_PLANE))
-INCIDENT = Parameter(POINT_LINE_PLANE, _elements(("point", "line", "plane", *FAR), POINT_LINE_PLANE))
-MULTIVECTOR = Parameter(KINDS_OF_VALUES["multivector"], _take_multivector)
-ANYTHING = Parameter(Text(en="any value", pt_BR="qualquer valor"), lambda value: value)
+NUMBER: Parameter = _take_number
+GRADE: Parameter = _take_grade
+UNIT_QUATERNION: Parameter = _take_unit_quaternion
+MOTOR: Parameter = _take_motor
+POINT: Parameter = _elements(("point",), KINDS_OF_VALUES["point"])
+LINE: Parameter = _elements(("line",), KINDS_OF_VALUES["line"])
+BIVECTOR: Parameter = _elements(("line", "screw", "far_line", "zero"), KINDS_OF_VALUES["screw"], unit=False)
+ELEMENT: Parameter = _elements(("point", "line", "plane"), POINT_LINE_PLANE)
+FLAT: Parameter = _elements(("line", "plane"), LINE_OR_PLANE)
+INCIDENT: Parameter = _elements(("point", "line", "plane", *FAR), POINT_LINE_PLANE)
+MULTIVECTOR: Parameter = _take_multivector
+ANYTHING: Parameter = _take_anything

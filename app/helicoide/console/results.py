@@ -38,8 +38,8 @@ class LineResult:
 def sheet_results(sheet: Sheet, state: State | None, sliders: bool = True) -> tuple[LineResult, ...]:
     """The result of each line. state: gives the names of the scene, if any; sliders: whether free names have values."""
     scene = {} if state is None else {name: partial(one.at, state) for name, one in scene_names(state).items()}
-    values = {name: sheet.slider(name).value for name in free_names(sheet, scene)} if sliders else {}
-    known: dict[str, Value] = {**values}
+    free = free_names(sheet, scene) if sliders else ()
+    known: dict[str, Value] = {name: sheet.slider(name).value for name in free}
     scope, lines = Scope(known, scene, Budget()), parsed_lines(sheet)
     found = []
     for n, line in enumerate(lines):
@@ -69,9 +69,9 @@ def _result(line: Parsed, below: tuple[Parsed, ...], next_number: int, scope: Sc
 
 
 def _check_order(line: ParsedLine, below: tuple[Parsed, ...], next_number: int, scope: Scope) -> None:
-    """Raise ExpressionError for a name whose definition is the line itself, or one further down."""
+    """Raise ExpressionError for a name without a value, if a line further down defines it."""
     for part in references(line.expression):
-        if part.name in scope.values or part.name in scope.scene:
+        if part.name in scope.values or part.name in scope.scene or is_reserved(part.name):
             continue
         for n, other in enumerate(below, next_number):
             if isinstance(other, ParsedLine) and other.target is not None and other.target.name == part.name:

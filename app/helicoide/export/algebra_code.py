@@ -12,11 +12,11 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.geometry import pga, rigid
-from helicoide.geometry.notation import displayed_blades
-from helicoide.readout import ALGEBRAS, Chain, Nature, coefficients, in_algebra
+from helicoide.geometry.notation import blade_latex, displayed_blades
+from helicoide.readout import ALGEBRAS, SYMBOLS, Chain, Nature, coefficients, in_algebra
 from helicoide.seat import Notation
 
-SYMBOLS: dict[Nature, str] = {"motor": "M", "line": "L", "plane": "P", "point": "X"}
+VARIABLES: dict[Nature, str] = {"motor": "M", "line": "L", "plane": "P", "point": "X"}
 KINGDON = """\
 from math import cos, sin
 
@@ -57,7 +57,7 @@ def galaga_code(formula: Formula) -> str:
 
 
 def _body(formula: Formula) -> str:
-    symbol, chain = SYMBOLS[formula.nature], formula.chain
+    symbol, chain = VARIABLES[formula.nature], formula.chain
     if chain is None:
         values = in_algebra(formula.nature, formula.values, formula.notation.algebra)
         return f"\n{symbol} = {_sum(values, formula.notation)}\nprint({symbol})\n"
@@ -97,14 +97,13 @@ def _sum(values: Array, notation: Notation) -> str:
 
 def latex_text(formula: Formula) -> str:
     """The multivector as a sum of blades, with all digits; for a frame of the arm, its product first."""
-    symbol = {"motor": "M", "line": r"\ell", "plane": r"\pi", "point": "p"}[formula.nature]
     known = coefficients(formula.nature, formula.notation)
     terms = [
-        _tex_number(one.sign * formula.values[one.place]) + ("" if one.name == "1" else rf"\,{_blade(one.name)}")
+        _tex_number(one.sign * formula.values[one.place]) + ("" if one.name == "1" else rf"\,{blade_latex(one.name)}")
         for one in known
         if formula.values[one.place] != 0
     ]
-    total = f"{symbol} &= {' '.join(terms).removeprefix('+') or '0'}"
+    total = f"{SYMBOLS[formula.nature]} &= {' '.join(terms).removeprefix('+') or '0'}"
     lines = [*([] if formula.chain is None else _chain_latex(formula.chain)), total]
     body = " \\\\\n".join(lines)
     return f"% {formula.notation.algebra}\n\\begin{{align*}}\n{body}\n\\end{{align*}}\n"
@@ -116,18 +115,14 @@ def _chain_latex(chain: Chain) -> Iterator[str]:
     for i, (joint, value) in enumerate(zip(chain.robot.joints, chain.values, strict=False), 1):
         if joint.is_prismatic:
             factors.append(rf"\left(1 + \tfrac12 x_{{{i}}} s_{{{i}}} e\right)")
-            yield rf"x_{{{i}}} &= {float(value)!r}\,\mathrm{{m}}"
+            yield rf"x_{{{i}}} &= {_tex_number(value, '')}\,\mathrm{{m}}"
         else:
             factors.append(rf"e^{{\theta_{{{i}}}\ell_{{{i}}}/2}}")
-            yield rf"\theta_{{{i}}} &= {np.degrees(value):.17g}^\circ"
+            yield rf"\theta_{{{i}}} &= {_tex_number(np.degrees(value), '')}^\circ"
     yield f"M &= {signs}{' '.join(factors)}\\, M_0"
 
 
-def _tex_number(value: float) -> str:
-    """A number with its sign and 17 digits, a power of ten as such."""
-    digits, _, power = f"{value:+.17g}".partition("e")
+def _tex_number(value: float, plus: str = "+") -> str:
+    """A number with 17 digits, a power of ten as such. plus: the sign of a positive one."""
+    digits, _, power = f"{value:{plus}.17g}".partition("e")
     return digits + (rf" \times 10^{{{int(power)}}}" if power else "")
-
-
-def _blade(name: str) -> str:
-    return "".join(f"e_{{{part}}}" if part else "e" for part in name.split("e")[1:])

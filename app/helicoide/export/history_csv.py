@@ -21,13 +21,15 @@ def history_csv(
     Each column is named by the title of its signal, the curve, the unit and, with two arms, the arm's name.
     """
     part = history.since(span)
-    shown = [signal for signal in signals if signal.name in history.values]
     columns = [history.times[part]]
     heads = ["t [s]"]
-    for signal in shown:
+    for signal in signals:
+        values = history.of(signal)
+        if values is None:
+            continue
         for c, curve in enumerate(signal.curves):
             for arm, named in enumerate(arms or (None,)):
-                columns.append(history.values[signal.name][part, arm, c])
+                columns.append(values[part, arm, c])
                 heads.append(_head(signal, curve, named, language))
     file = io.StringIO()
     writer = csv.writer(file)

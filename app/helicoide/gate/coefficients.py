@@ -52,9 +52,10 @@ def set_coefficient(selection: Selection, blade: str, value: float) -> Update:
 
 def _target(state: State, selection: Selection, blade: str, value: float) -> State:
     command = state.request.command
-    asked = selection.kind == "target" and isinstance(command, MoveToPose)
-    T = command.T_world_target if asked and isinstance(command, MoveToPose) else state.T_world_tool
-    M = motor_with_coefficient(rigid.canonical(rigid.motor_from_pose(T)), blade, value)
+    T = state.T_world_tool
+    if selection.kind == "target" and isinstance(command, MoveToPose):
+        T = command.T_world_target
+    M = motor_with_coefficient(rigid.motor_from_pose(T), blade, value)
     moved = rigid.pose_from_motor(M)
     return set_target(moved[:3, 3], rotation.from_matrix(moved[:3, :3]))(state)
 

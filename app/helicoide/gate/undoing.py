@@ -149,7 +149,7 @@ def _with_scene(state: State, other: Undoable) -> tuple[State, list[Text]]:
     obstacles, at_arm = restored_obstacles(state, other.obstacles)
     problem = replace(state.problem, planes=planes, obstacles=obstacles, zones=other.zones, entry=other.entry)
     if (other.entry is None) != (state.problem.entry is None):
-        state = for_both_arms(state, lambda drive: drive.with_method(drive.method))
+        state = for_both_arms(state, lambda controller: controller.with_method(controller.method))
     said = [STOPPED.format(names=", ".join(stopped), mm=1000 * other.zones.critical)] if stopped else []
     return with_problem(state, problem), [*said, *at_arm]
 
@@ -176,8 +176,8 @@ def _with_settings(state: State, other: Controller) -> State:
         return replace(controller, changed=other.changed, gains=other.gains, secondary=second)
 
     if state.request.controller.method != other.method:
-        drive = state.request.controller.with_method(other.method)
-        state = replace(state, request=replace(state.request, controller=drive))
+        chosen = state.request.controller.with_method(other.method)
+        state = replace(state, request=replace(state.request, controller=chosen))
     return for_both_arms(state, change)
 
 

@@ -37,17 +37,16 @@ def motor_with_coefficient(M: Array, blade: str, value: float) -> Array:
     Source: Cerbaro 2022, eqs. 96–97.
     """
     index, sign = CL031.parse_blade(blade)
-    parts, wanted = rigid.dual_quaternion(M), np.flatnonzero(rigid.dual_quaternion(np.eye(16)[index] * sign))
-    if not len(wanted):
+    g, d = np.split(rigid.dual_quaternion(M), 2)
+    of_blade = rigid.dual_quaternion(sign * np.eye(16)[index])
+    if not of_blade.any():
         raise HelicoideError(NOT_IN_MOTOR)
-    (k,) = wanted
-    given = value * float(rigid.dual_quaternion(np.eye(16)[index] * sign)[k])
+    (k,) = np.flatnonzero(of_blade)
+    given = value * float(of_blade[k])
     if k < 4:
-        shift = 2 * CL031.product(rigid.null_part(M), CL031.conjugate(M - rigid.null_part(M)))
-        parts[:4] = _unit_with(parts[:4], int(k), given)
-        g = rigid.motor_from_dual_quaternion(np.concatenate([parts[:4], np.zeros(4)]))
-        return np.asarray(g + CL031.product(rigid.null_part(shift), g) / 2)
-    g, d, j = parts[:4], parts[4:].copy(), int(k) - 4
+        rotor = rigid.motor_from_dual_quaternion(np.concatenate([_unit_with(g, int(k), given), np.zeros(4)]))
+        return CL031.product(rigid.translator(rigid.pose_from_motor(M)[:3, 3]), rotor)
+    j = int(k) - 4
     d[j] = given
     free = g * (np.arange(4) != j)
     if float(free @ free) < SMALLEST:

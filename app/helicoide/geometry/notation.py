@@ -63,7 +63,7 @@ def multivector_text(values: Array, algebra: Algebra, naming: BladeNaming = "fac
 
 def multivector_latex(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
     r"""The same sum in LaTeX, such as 0.866 + 0.5\,e_{1}e_{2}. values: (2ⁿ,)."""
-    return _sum(_terms(values, algebra, naming, r"\,", _indexed))
+    return _sum(_terms(values, algebra, naming, r"\,", blade_latex))
 
 
 def multivector_mathml(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
@@ -90,8 +90,9 @@ def _coloured(name: str, number: str, grade: int) -> Markup:
     return Markup('<span style="color:{}">{}</span>').format(GRADE_COLOURS[grade % len(GRADE_COLOURS)], said)
 
 
-def _indexed(name: str) -> str:
-    return re.sub(r"e(\d+)", r"e_{\1}", name)
+def blade_latex(name: str) -> str:
+    """The name of a blade in LaTeX, such as e_{2}e_{3}; nothing for the blade 1."""
+    return "" if name == "1" else re.sub(r"e(\d+)", r"e_{\1}", name)
 
 
 def _coefficients(values: Array, algebra: Algebra, naming: BladeNaming) -> Iterator[tuple[str, float]]:

@@ -8,8 +8,8 @@ import numpy as np
 
 from helicoide.arrays import Array
 
-# Below this ratio of |s| ℓ to |m| the axis is so far away that the twist is a translation, or the wrench a torque.
-FREE = 1e-9
+# Below this ratio of |s| ℓ to |m| the axis may be 10 000 ℓ away: a twist counts as a translation, a wrench as a torque.
+FREE = 1e-4
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.command import FollowPath, MoveToPose
 from helicoide.confinement.planes import pane_axes
+from helicoide.geometry.rigid import coordinates
 from helicoide.perception.rays import ray_to_capsule, ray_to_pane
+from helicoide.readout import elements
 from helicoide.seat import Selection
 from helicoide.state import State
 
@@ -74,16 +75,8 @@ def _axes(state: State, eye: Array, along: Array) -> Iterator[Found]:
 
 def _balls(state: State) -> Iterator[tuple[Array, Selection]]:
     """The points that take a click. Of equal ones the first is meant."""
-    tool, command = state.T_world_tool[:3, 3], state.request.command
-    yield tool, Selection("tool")
-    if isinstance(command, MoveToPose):
-        yield command.T_world_target[:3, 3], Selection("target")
-    if isinstance(command, FollowPath):
-        yield command.path.pose(command.s)[:3, 3], Selection("path")
-    if state.problem.entry is not None:
-        yield state.problem.entry.point, Selection("entry")
-    for j, point in enumerate(state.monitored_points):
-        yield point, Selection("point", j)
-    for i, frame in enumerate(state.robot.frames.values()):
-        pose = state.arm.poses[frame.link] @ frame.T_link_frame
-        yield pose[:3, 3], Selection("frame", i)
+    for element in elements(state):
+        if element.nature == "point":
+            yield coordinates(element.values(state)), element.selection
+        elif element.pose is not None and element.selection.kind != "link":  # a link is clicked on its surface
+            yield element.pose(state)[:3, 3], element.selection

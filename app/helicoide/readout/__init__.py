@@ -4,7 +4,7 @@ from helicoide.readout.chain_terms import Chain, ChainTerms, Term, chain_of, cha
 from helicoide.readout.coefficients import ALGEBRAS, Coefficient, coefficients, exact_text, in_algebra
 from helicoide.readout.dimension_lines import DimensionLines, dimension_lines
 from helicoide.readout.distances import distance_product, nearest_point_and_plane, plane_distances, zones
-from helicoide.readout.elements import Element, Nature, element_of, elements
+from helicoide.readout.elements import SYMBOLS, Element, Nature, element_of, elements
 from helicoide.readout.instruments import (
     Instrument,
     counted_names,
@@ -36,6 +36,7 @@ __all__ = [
     "ALGEBRAS",
     "INTRODUCTION",
     "SHORT",
+    "SYMBOLS",
     "TURNED",
     "WHY_PRINTED_DIFFERS",
     "Chain",

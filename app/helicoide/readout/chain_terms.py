@@ -65,11 +65,6 @@ class ChainTerms:
     terms: tuple[Term, ...]
     together: int = 0
 
-    @property
-    def joints(self) -> tuple[int, ...]:
-        """The joints whose sine is in a term, from 0."""
-        return tuple(sorted({joint for term in self.terms for joint in term.sines}))
-
 
 def chain_of(state: State, element: Element) -> Chain | None:
     """The product of which an element is the result; None if it is not carried by the arm."""

@@ -20,6 +20,8 @@ from helicoide.text import Text
 
 Nature = Literal["motor", "line", "plane", "point"]
 """What a multivector represents."""
+SYMBOLS: dict[Nature, str] = {"motor": "M", "line": r"\ell", "plane": r"\pi", "point": "p"}
+"""The letter of a multivector, in TeX."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +67,7 @@ def _moving(selection: Selection, title: Text, symbol: str, pose: Callable[[Stat
     """A frame, with its pose as a motor of canonical sign."""
 
     def values(state: State) -> Array:
-        return rigid.canonical(rigid.motor_from_pose(pose(state)))
+        return rigid.motor_from_pose(pose(state))
 
     return Element(selection, "motor", title, symbol, values, pose, index)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from helicoide.readout.screws import screw_of_values
 
 # Length of an arrow that shows a direction, as a fraction of the reach.
 ARROW = 0.35
+# An arrow shorter than this, m, is a component that is zero: it has no direction, and the page would draw its head.
+NO_ARROW = 1e-6
 
 
 def _none(*shape: int) -> Callable[[], Array]:
@@ -39,9 +41,9 @@ def coefficient_marks(nature: Nature, values: Array, blade: str | None, reach: f
     role = role_of(nature, blade)
     if role is None:
         return Marks()
-    if nature == "motor":
-        return _of_motor(values, role, reach)
-    return _OF_PART[role.part](values, role, reach)
+    marks = _of_motor(values, role, reach) if nature == "motor" else _OF_PART[role.part](values, role, reach)
+    lengths = np.linalg.norm(marks.arrows[:, 1] - marks.arrows[:, 0], axis=1)
+    return replace(marks, arrows=marks.arrows[lengths > NO_ARROW])
 
 
 def _of_motor(values: Array, role: Role, reach: float) -> Marks:
@@ -54,8 +56,7 @@ def _of_motor(values: Array, role: Role, reach: float) -> Marks:
     axis = np.array([centre, centre + ARROW * reach * screw.direction])
     match role.part:
         case "cosine":
-            half, spokes = drawn.arc(0.5), drawn.arc(0.5)[[0, -1]]
-            return Marks(segments=np.array([*_joined(half), *([centre, end] for end in spokes)]))
+            return Marks(segments=drawn.sector(0.5))
         case "sine":
             return Marks(arrows=np.array([axis, _component(axis, role.axis)]))
         case "slide":
@@ -125,8 +126,3 @@ def _component(arrow: Array, axis: int | None) -> Array:
     if axis is not None:
         way[axis] = (arrow[1] - arrow[0])[axis]
     return np.array([arrow[0], arrow[0] + way])
-
-
-def _joined(points: Array) -> Array:
-    """Segments (k − 1, 2, 3) between successive points (k, 3)."""
-    return np.stack([points[:-1], points[1:]], axis=1)

@@ -11,7 +11,7 @@ from helicoide.geometry import motor, rigid
 from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.readout.elements import Nature
 from helicoide.readout.roles import Part, Role, role_of
-from helicoide.text import Text
+from helicoide.text import Text, rounded_text
 
 AXES = "xyz"
 NO_SLIDE = 1e-5  # a translation smaller than this, m, is not mentioned
@@ -126,29 +126,22 @@ def _of_element(values: Array, role: Role) -> Text:
         case _:
             distance = 0.0
     axis = "" if role.axis is None else AXES[role.axis]
-    return _WORDS[role.part].format(axis=axis, distance=_number(1000 * distance, 1))
+    return _WORDS[role.part].format(axis=axis, distance=rounded_text(1000 * distance, 1))
 
 
 def _of_motor(screw: ScrewDisplacement, role: Role) -> Text:
     i = role.axis or 0
     if screw.angle == 0 and role.part == "dual":
         way = 1000 * float((screw.displacement * screw.direction)[i])
-        return TRANSLATED.format(axis=AXES[i], way=_number(way, 1))
+        return TRANSLATED.format(axis=AXES[i], way=rounded_text(way, 1))
     half = float(screw.angle) / 2
     rotates = role.part == "dual" and abs(float(screw.displacement)) < NO_SLIDE
     return (ROTATED if rotates else _WORDS[role.part]).format(
         axis=AXES[i],
-        half=_number(float(np.degrees(half)), 2),
-        angle=_number(float(np.degrees(2 * half)), 2),
-        sine=_number(float(np.sin(half)), 3),
-        component=_number(float(screw.direction[i]), 3),
-        moment=_number(1000 * float(np.cross(screw.point, screw.direction)[i]), 1),
-        slide=_number(500 * float(screw.displacement), 1),
+        half=rounded_text(float(np.degrees(half)), 2),
+        angle=rounded_text(float(np.degrees(2 * half)), 2),
+        sine=rounded_text(float(np.sin(half)), 3),
+        component=rounded_text(float(screw.direction[i]), 3),
+        moment=rounded_text(1000 * float(np.cross(screw.point, screw.direction)[i]), 1),
+        slide=rounded_text(500 * float(screw.displacement), 1),
     )
-
-
-def _number(value: float, decimals: int) -> Text:
-    """A number with a minus sign, and without one if it is rounded to 0."""
-    written = f"{value:.{decimals}f}".replace("-", "−")
-    written = written if written.strip("−0.") else written.lstrip("−")
-    return Text(en=written, pt_BR=written.replace(".", ","))

@@ -41,7 +41,7 @@ class PoseForms:
 
 def forms_of_pose(T: Array, convention: str) -> PoseForms:
     """All forms of a pose (4, 4), m. Raises HelicoideError for an unknown convention of Euler angles."""
-    M = rigid.canonical(rigid.motor_from_pose(T))
+    M = rigid.motor_from_pose(T)
     return PoseForms(
         T,
         rotation.from_matrix(T[:3, :3]),

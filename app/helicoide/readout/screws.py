@@ -58,6 +58,12 @@ class DrawnScrew:
         s = np.linspace(0.0, fraction, PIECES + 1)
         return self.at(s, np.zeros_like(s))
 
+    def sector(self, fraction: float = 1.0) -> Array:
+        """The same arc and its two radii, as segments (k, 2, 3), m."""
+        arc = self.arc(fraction)
+        radii = [[self.centre, arc[0]], [self.centre, arc[-1]]]
+        return np.concatenate([np.stack([arc[:-1], arc[1:]], axis=1), radii])
+
     @property
     def slide(self) -> Array:
         """The translation along the axis, from the centre, (2, 3), m."""

@@ -31,21 +31,28 @@ class SignalHistory:
     times: Array = field(default_factory=lambda: frozen(np.empty(0)))
     values: Mapping[str, Array] = field(default_factory=lambda: MappingProxyType({}))
 
-    def is_due(self, state: State) -> bool:
-        """Whether a state is to be sampled: it is of another arm, or late enough after the last sample."""
-        if self.robot is not state.robot or not len(self.times):
+    def of(self, signal: Signal) -> Array | None:
+        """The samples of a signal, (k, 2, c); None if there are none, or of other curves, such as of fewer planes."""
+        values = self.values.get(signal.name)
+        return None if values is None or values.shape[2] != len(signal.curves) else values
+
+    def is_due(self, state: State, signals: Sequence[Signal]) -> bool:
+        """Whether to sample a state: it is of another arm, late enough after the last sample, or a signal is new."""
+        if self.robot is not state.robot or any(self.of(signal) is None for signal in signals):
+            return True
+        if not len(self.times):
             return True
         return not 0 <= state.t - self.times[-1] < SPACING - 1e-9
 
     def with_sample(self, state: State, signals: Sequence[Signal]) -> SignalHistory:
         """The history with a sample, and without what is older than `LONGEST`.
 
-        Signals that are not among the given ones are dropped; new ones are NaN before. Another arm, or a time before
-        the last sample, begins a new history.
+        Signals that are not among the given ones are dropped; new ones are NaN before. A sample of the same time is
+        replaced. Another arm, or a time before the last sample, begins a new history.
         """
         if self.robot is not state.robot or (len(self.times) > 0 and state.t < self.times[-1]):
             return SignalHistory(state.robot).with_sample(state, signals)
-        kept = self.times > state.t - LONGEST
+        kept = (self.times > state.t - LONGEST) & (self.times < state.t)
         values = {signal.name: self._extended(signal, state, kept) for signal in signals}
         return SignalHistory(state.robot, frozen(np.append(self.times[kept], state.t)), MappingProxyType(values))
 
@@ -56,8 +63,8 @@ class SignalHistory:
         both[0, 0] = signal.read(state)
         if second is not None:
             both[0, 1] = signal.read(second)
-        before = self.values.get(signal.name)
-        if before is None or before.shape[2] != curves:
+        before = self.of(signal)
+        if before is None:
             before = np.full((len(kept), 2, curves), np.nan)
         return frozen(np.concatenate([before[kept], both]))
 

@@ -95,7 +95,7 @@ class Gathering:
 
         return Recording(
             self.title,
-            self.own or arm,
+            arm,
             log.samples(start),
             None if setpoints is None else _sent(setpoints, start),
             _aligned(self._others[mcap_file.TOOL], ns),
@@ -112,9 +112,10 @@ class Gathering:
 
         Setpoints alone stand for the joint values.
         """
+        if self.own is not None and (own := self._joints.get((mcap_file.JOINTS, self.own.joints))) is not None:
+            return self.own, own, None
         if self._joints:
-            own = self._joints.get((mcap_file.JOINTS, self.own.joints)) if self.own is not None else None
-            log = own or max(self._joints.values(), key=lambda log: len(log.ns))
+            log = max(self._joints.values(), key=lambda log: len(log.ns))
             return RecordedArm(log.names), log, None
         counted, sent = self._movemaster.read_back, self._movemaster.setpoints
         arm = RecordedArm(self._movemaster.names, movemaster.ROBOT)

@@ -40,7 +40,7 @@ class JointLog:
 
     def kept(self) -> NDArray[np.intp]:
         """Which samples are used, in order of time: those with usable joint values, the first of each time."""
-        usable = np.abs(np.array(self.q).reshape(len(self.ns), -1)) < LARGEST_VALUE  # not NaN either
+        usable = np.abs(np.array(self.q).reshape(len(self.ns), len(self.names))) < LARGEST_VALUE  # not NaN either
         known = np.flatnonzero(usable.all(axis=1))
         _, first = np.unique(np.array(self.ns, dtype=np.int64)[known], return_index=True)
         return known[first]

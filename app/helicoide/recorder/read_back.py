@@ -16,6 +16,7 @@ from helicoide.kernels import python_function
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout.distances import distances_of
+from helicoide.readout.signals.distances import LEAST, SAFETY, WARNING
 from helicoide.recorder.recorded_arm import chain_digest, columns_for
 from helicoide.recorder.recording import JointSamples, Recording
 from helicoide.state import State, points_on
@@ -23,10 +24,7 @@ from helicoide.studies.study import Chart, ChartLine
 from helicoide.text import Text, untranslated
 
 POINTS = 400
-DISTANCES = Text(en="Smallest distance to each plane", pt_BR="Menor distância a cada plano")
 TIME, DISTANCE = Text(en="time [s]", pt_BR="tempo [s]"), Text(en="distance [mm]", pt_BR="distância [mm]")
-SAFETY = Text(en="safety distance", pt_BR="distância de segurança")
-WARNING = Text(en="warning distance", pt_BR="distância de aviso")
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,13 +62,14 @@ def read_back(recording: Recording, state: State) -> ReadBack:
     columns = columns_for(recording.arm, robot, recording.title)
     samples = recording.samples.taken(columns)
     sent = recording.setpoints and recording.setpoints.taken(columns)
+    times, poses = _thinned(robot, samples)
     return ReadBack(
         recording,
         digest_of(robot),
         samples,
-        _trail(state, samples),
-        None if sent is None else _trail(state, sent),
-        _distances(recording, state, samples),
+        _trail(state, poses),
+        None if sent is None else _trail(state, _thinned(robot, sent)[1]),
+        _distances(recording, state, times, poses),
     )
 
 
@@ -79,27 +78,27 @@ def poses_at(robot: Robot, samples: JointSamples, time: float) -> Array:
     return np.asarray(python_function(link_poses)(robot.chain, samples.q_at(time)))
 
 
-def _thinned(samples: JointSamples) -> Array:
-    """At most `POINTS` sample numbers, evenly spaced."""
+def _thinned(robot: Robot, samples: JointSamples) -> tuple[Array, Array]:
+    """Times (k,), s, and link poses (k, m + 1, 4, 4), m, of at most `POINTS` samples, evenly spaced."""
     count = len(samples.times)
-    return np.unique(np.linspace(0, count - 1, min(count, POINTS)).round().astype(int))
+    kept = np.unique(np.linspace(0, count - 1, min(count, POINTS)).round().astype(int))
+    return samples.times[kept], np.array([python_function(link_poses)(robot.chain, q) for q in samples.q[kept]])
 
 
-def _trail(state: State, samples: JointSamples) -> Array:
-    poses = (python_function(link_poses)(state.robot.chain, samples.q[k]) for k in _thinned(samples))
+def _trail(state: State, poses: Array) -> Array:
     return frozen([pose_of_tool(state.problem, one)[:3, 3] for one in poses])
 
 
-def _distances(recording: Recording, state: State, samples: JointSamples) -> Chart | None:
+def _distances(recording: Recording, state: State, times: Array, poses: Array) -> Chart | None:
     """The distance of each plane from the nearest monitored point over time, mm, with both distances of the zones."""
-    kept = _thinned(samples)
-    times, nearest = samples.times[kept], dict[str, Array]()
-    for row, k in enumerate(kept):
-        planes = recording.planes_at(samples.times[k]) or state.problem.planes
-        points = points_on(state.robot, python_function(link_poses)(state.robot.chain, samples.q[k]))
+    nearest = dict[str, Array]()
+    for row, (time, at) in enumerate(zip(times, poses, strict=True)):
+        planes = recording.planes_at(time) or state.problem.planes
         around = replace(state, problem=replace(state.problem, planes=planes))
-        for pane, distance in zip(planes.panes, distances_of(around, points).min(axis=0), strict=True):
-            nearest.setdefault(pane.name, np.full(len(kept), np.nan))[row] = 1000 * distance
+        for pane, distance in zip(
+            planes.panes, distances_of(around, points_on(state.robot, at)).min(axis=0), strict=True
+        ):
+            nearest.setdefault(pane.name, np.full(len(times), np.nan))[row] = 1000 * distance
     if not nearest:
         return None
     titles = {pane.name: pane.title for pane in (*state.problem.planes.panes, *state.robot.panes)}
@@ -107,4 +106,4 @@ def _distances(recording: Recording, state: State, samples: JointSamples) -> Cha
     lines = [ChartLine(titles.get(name, untranslated(name)), times, values) for name, values in nearest.items()]
     for title, distance in ((SAFETY, zones.critical), (WARNING, zones.warning)):
         lines.append(ChartLine(title, times[[0, -1]], np.full(2, 1000 * distance)))
-    return Chart(DISTANCES, TIME, DISTANCE, tuple(lines))
+    return Chart(LEAST, TIME, DISTANCE, tuple(lines))

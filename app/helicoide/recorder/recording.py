@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass
+from operator import itemgetter
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +15,8 @@ from helicoide.arrays import Array
 from helicoide.confinement import Planes
 from helicoide.recorder.recorded_arm import RecordedArm
 from helicoide.text import Text
+
+Value = TypeVar("Value")
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,12 +67,18 @@ class Recording:
 
     def planes_at(self, time: float) -> Planes | None:
         """The planes at a time, s; None if the file has none."""
-        return next((planes for since, planes in reversed(self.planes) if since <= time), None)
+        return holding_at(self.planes, time)
 
     def gripper_at(self, time: float) -> float:
         """The opening of the gripper at a time, s, 0 closed to 1 open; 0 if the file does not say."""
-        return next((opening for since, opening in reversed(self.gripper) if since <= time), 0.0)
+        return holding_at(self.gripper, time) or 0.0
 
     def status_at(self, time: float) -> Text | None:
         """The status of the arm at a time, s; None if the file has none."""
-        return next((text for since, text in reversed(self.statuses) if since <= time), None)
+        return holding_at(self.statuses, time)
+
+
+def holding_at(changes: Sequence[tuple[float, Value]], time: float) -> Value | None:
+    """The value that holds at a time, s: the last of values with increasing times that is not later, else None."""
+    count = bisect_right(changes, time, key=itemgetter(0))
+    return changes[count - 1][1] if count else None

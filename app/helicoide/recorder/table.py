@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
 
-import numpy as np
-
-from helicoide.arrays import Array
-from helicoide.recorder.recording import Recording
+from helicoide.recorder.recording import Recording, holding_at
 
 POSE = ("x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz")
 
@@ -36,16 +32,10 @@ def encode_recording(recording: Recording) -> bytes:
             "status",
         ]
     )
-    methods = _held(recording.methods, samples.times)
-    statuses = _held([(at, text.en) for at, text in recording.statuses], samples.times)
     for k, time in enumerate(samples.times.tolist()):
         numbers = [*samples.q[k], *samples.velocities[k], *(value for _, rows in poses for value in rows[k])]
         values = ("" if value != value else repr(float(value)) for value in numbers)
-        writer.writerow([repr(time), *values, methods[k], statuses[k]])
+        status = recording.status_at(time)
+        words = holding_at(recording.methods, time) or "", "" if status is None else status.en
+        writer.writerow([repr(time), *values, *words])
     return out.getvalue().encode()
-
-
-def _held(words: Sequence[tuple[float, str]], times: Array) -> list[str]:
-    """The words that hold at each time: the last that were said before or at it."""
-    since = np.searchsorted([at for at, _ in words], times, side="right") - 1
-    return [words[k][1] if k >= 0 else "" for k in since]

@@ -23,7 +23,7 @@ BUSY = Text(
 class Recorders:
     """Records workcells. Use it only on the event loop.
 
-    workcells: those of the lab; ended: called after a recording has begun or ended; write: has the rows of all windows
+    workcells: those of the lab; ended: called after a recording has ended; write: has the rows of all windows
     written.
     """
 

@@ -23,7 +23,7 @@ from helicoide.text import HelicoideError, Text
 from helicoide.view.channel import ControlChannel, Notice, share_link
 from helicoide.view.link_rows import with_linked
 from helicoide.view.requests import ShowTab
-from helicoide.view.share import decode_link
+from helicoide.view.share import BAD_NUMBERS, decode_link
 from helicoide.view.window import CLEARED, Window
 from helicoide.view.window_view import View
 
@@ -68,9 +68,14 @@ class Visitor:
         charts, state = self.place.seat.charts, self.bay.workcell.state
         if not any(charts.shown):
             self.history = NO_SIGNAL_HISTORY
-        elif not charts.paused and self.history.is_due(state):
+        elif charts.paused:
+            if self.history.robot is not state.robot:
+                self.history = NO_SIGNAL_HISTORY
+        else:
             try:
-                self.history = self.history.with_sample(state, needed_signals(state, charts.shown))
+                signals = needed_signals(state, charts.shown)
+                if self.history.is_due(state, signals):
+                    self.history = self.history.with_sample(state, signals)
             except Exception:
                 log.exception("the signals of a chart could not be read")
 
@@ -116,17 +121,20 @@ class Visitor:
 
     def open_link(self, text: str) -> None:
         """Show the view of a link: camera and tab at once; an arm in another posture is only asked for."""
+        state = self.bay.workcell.state
         try:
             shared = decode_link(text)
+            linked, n = shared.posture, len(state.arm.q)
+            here = linked.robot == state.robot.name
+            if here and len(linked.q) != n:
+                raise HelicoideError(BAD_NUMBERS.format(part="q", count=n))
         except HelicoideError as refusal:
             self.window.tell(refusal.text)
             return
         self.window.look(*shared.camera)
         self.window.act(ShowTab(shared.tab))
-        state, linked = self.bay.workcell.state, shared.posture
-        there = len(linked.q) == len(state.arm.q) and np.allclose(linked.q, state.arm.q, rtol=0, atol=SAME_POSTURE)
-        if linked.robot != state.robot.name or not there:
-            self.reseat(partial(with_linked, linked))
+        there = here and np.allclose(linked.q, state.arm.q, rtol=0, atol=SAME_POSTURE)
+        self.reseat(partial(with_linked, None if there else linked))
 
     def close_link(self) -> None:
         """Forget the link, also in the address of the page."""

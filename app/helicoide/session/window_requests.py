@@ -73,9 +73,15 @@ class WindowRequests:
             visitor.moving = asyncio.get_running_loop().create_task(visitor.settle(self.bays, self.view))
 
     def _take_link(self, visitor: Visitor, own: bool) -> None:
-        """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first."""
+        """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first.
+
+        On the shared arm no other robot is loaded, also if it has changed since the page offered this.
+        """
         if own:
             self._move(visitor, True)
-        if (linked := visitor.place.seat.linked) is not None and (visitor.place.at_own or not own):
-            self.bays.of(visitor.place).arms.go_to(linked.robot, linked.q)
+        linked, bay = visitor.place.seat.linked, self.bays.of(visitor.place)
+        if linked is None:
+            return
+        if visitor.place.at_own or (not own and linked.robot == bay.workcell.state.robot.name):
+            bay.arms.go_to(linked.robot, linked.q)
             visitor.close_link()

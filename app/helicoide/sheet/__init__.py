@@ -1,6 +1,6 @@
 """Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
 
-from helicoide.sheet.editing import with_chosen_line, with_entered_line, with_entry_text, with_shown, without_line
+from helicoide.sheet.editing import with_chosen_line, with_entered_line, with_entry_text, with_shown
 from helicoide.sheet.parts import (
     LONGEST_LINE,
     MOST_CHARACTERS,
@@ -32,5 +32,4 @@ __all__ = [
     "with_entered_line",
     "with_entry_text",
     "with_shown",
-    "without_line",
 ]

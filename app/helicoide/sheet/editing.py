@@ -36,11 +36,6 @@ def with_entry_text(sheet: Sheet, text: str) -> Sheet:
     return replace(sheet, entry=replace(sheet.entry, text=text[: 2 * LONGEST_LINE]))
 
 
-def without_line(sheet: Sheet, index: int) -> Sheet:
-    """The sheet without one of its lines."""
-    return with_chosen_line(replace(sheet, lines=(*sheet.lines[:index], *sheet.lines[index + 1 :])), None)
-
-
 def with_shown(sheet: Sheet, shown: bool, index: int | None = None) -> Sheet:
     """The sheet with the result of one line, or of all, drawn or hidden."""
     lines = (replace(line, shown=shown) if index in (None, n) else line for n, line in enumerate(sheet.lines))

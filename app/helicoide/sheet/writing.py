@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import binascii
 import math
 import re
 import zlib
@@ -11,7 +10,7 @@ from base64 import urlsafe_b64decode, urlsafe_b64encode
 from helicoide.sheet.parts import MOST_CHARACTERS, NameSlider, Sheet, SheetLine, too_long_text
 from helicoide.text import HelicoideError, Text
 
-LARGEST = 1e6  # of the value and the ends of a slider
+LARGEST, LEAST_WIDTH = 1e6, 1e-3  # of the ends of a slider, and of the distance between them
 HIDDEN, LINK = "hidden ", "sheet="
 _SLIDER = re.compile(r"slider ([A-Za-z][A-Za-z0-9_]*) = (\S+) from (\S+) to (\S+)")
 
@@ -25,10 +24,10 @@ NO_TEXT = Text(
 )
 NO_SLIDER = Text(
     en="line {n}: a slider is written as in “slider theta = 0.5 from 0 to 3”, with numbers up to {most:.0f}, the value "
-    "between the ends",
+    "between the ends, and these at least {least} apart",
     pt_BR="linha {n}: um controle deslizante se escreve como em “slider theta = 0.5 from 0 to 3”, com números até "
-    "{most:.0f} e o valor entre os extremos",
-)
+    "{most:.0f}, o valor entre os extremos e estes a pelo menos {least} um do outro",
+).format(n="{n}", most=LARGEST, least=LEAST_WIDTH)
 
 
 def sheet_text(sheet: Sheet) -> str:
@@ -71,7 +70,7 @@ def sheet_link(sheet: Sheet) -> str:
 
 
 def sheet_of_link(link: str) -> Sheet:
-    """The sheet of a link, or of its fragment alone. It is never unpacked beyond the longest sheet."""
+    """The sheet of a link, or of its fragment alone; what unpacks to too much is refused. Raises HelicoideError."""
     _, found, packed = link.strip().rpartition(LINK)
     try:
         if not found or len(packed) > 4 * MOST_CHARACTERS:
@@ -82,7 +81,7 @@ def sheet_of_link(link: str) -> Sheet:
         if not unpacker.eof:
             raise HelicoideError(BROKEN_LINK.format(begins=LINK))
         return sheet_of_text(text.decode("utf-8"))
-    except (binascii.Error, zlib.error, ValueError):
+    except (zlib.error, ValueError):  # of base64 and UTF-8, too
         raise HelicoideError(BROKEN_LINK.format(begins=LINK)) from None
 
 
@@ -93,8 +92,8 @@ def _slider(n: int, line: str) -> tuple[str, NameSlider]:
             raise ValueError
         value, lower, upper = map(float, found.groups()[1:])
     except ValueError:
-        raise HelicoideError(NO_SLIDER.format(n=n, most=LARGEST)) from None
+        raise HelicoideError(NO_SLIDER.format(n=n)) from None
     finite = all(map(math.isfinite, (value, lower, upper))) and max(map(abs, (lower, upper))) <= LARGEST
-    if not finite or not lower <= value <= upper or lower == upper:
-        raise HelicoideError(NO_SLIDER.format(n=n, most=LARGEST))
+    if not finite or not lower <= value <= upper or upper - lower < LEAST_WIDTH:
+        raise HelicoideError(NO_SLIDER.format(n=n))
     return found[1], NameSlider(value, lower, upper)

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from helicoide import gate
 from helicoide.arrays import Array
+from helicoide.commands import language as of_terminal
 from helicoide.geometry import rotation
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.library import load_robot, register_robot
@@ -38,6 +39,7 @@ class LabCell:
 
     def __init__(self, robot: Robot, language: Language | None) -> None:
         register_robot(robot)
+        self.language = language or of_terminal()
         self._lab = Lab(robot, language, None)
         self.url = f"http://{HOST}:{self._lab.open(HOST, 0, framed=True)}/"
         self._open = True
@@ -82,14 +84,15 @@ class LabCell:
         """Ask the arm. Raises HelicoideError with the reason for which the lab would refuse."""
         if not self._open:
             raise HelicoideError(CLOSED)
-        tried = update(self.state)
-        if tried.request is self.state.request and tried.notice is not None:
+        state = self.state  # once: the clock replaces it meanwhile
+        tried = update(state)
+        if tried.request is state.request and tried.notice is not None:
             raise HelicoideError(tried.notice)
         self._lab.shared.workcell.ask(update)
 
     def __repr__(self) -> str:
-        return f"Helicoide: {self.url}" if self._open else CLOSED.en
+        return f"Helicoide: {self.url}" if self._open else CLOSED[self.language]
 
     def _repr_html_(self) -> Markup:
         """The page of the lab in a frame."""
-        return FRAME.format(url=self.url) if self._open else Markup("<p>{}</p>").format(CLOSED.en)
+        return FRAME.format(url=self.url) if self._open else Markup("<p>{}</p>").format(CLOSED[self.language])

@@ -8,7 +8,7 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.arrays import Array
-from helicoide.text import Language, number_text
+from helicoide.text import Language, rounded_text
 
 DECIMALS = 4
 NUMBER = Markup('<td style="text-align:right">{}</td>')
@@ -17,7 +17,7 @@ MATRIX = Markup('<table style="border-left:1px solid;border-right:1px solid">{}<
 
 def decimal_text(value: float, decimals: int, language: Language) -> str:
     """A number with its decimals, without a minus before a zero."""
-    return number_text(round(value, decimals) + 0.0, f".{decimals}f")[language].replace("-", "−")
+    return rounded_text(value, decimals)[language]
 
 
 def table(heads: Iterable[str], rows: Iterable[Sequence[str]]) -> Markup:

@@ -11,7 +11,7 @@ from helicoide.arrays import Array
 from helicoide.export.study_table import significant_digits
 from helicoide.export.svg import COLOURS, axis_range, caption, figure, powers
 from helicoide.studies.study import Chart
-from helicoide.text import Language, Text, with_decimal_comma
+from helicoide.text import Language, with_decimal_comma
 from helicoide.view import html
 from helicoide.view.rows import Plot
 from helicoide.view.window_view import View
@@ -90,7 +90,7 @@ class ChartPlot:
         self.words: viser.GuiHtmlHandle | None = None
         self.handle: viser.GuiUplotHandle | None = None
         self.drawn: Chart | None = None
-        self.labels: tuple[Text, ...] = ()
+        self.labels: tuple[object, ...] = ()
         self.language: Language = view.seat.language
         self.place = gui.add_folder(None, visible=False)
         self.refresh(view)
@@ -110,7 +110,7 @@ class ChartPlot:
     def _draw(self, chart: Chart, language: Language) -> None:
         """Give the existing plot new data, or replace it by another plot or figure."""
         parts = (*(line.title for line in chart.lines), *(band.title for band in chart.bands))
-        labels, is_figure = (chart.title, chart.x_label, chart.y_label, *parts), runs_backwards(chart)
+        labels, is_figure = (chart.log, chart.title, chart.x_label, chart.y_label, *parts), runs_backwards(chart)
         if self.handle is not None and labels == self.labels and not is_figure:
             self._reach(chart)
             self.handle.data = self._data(chart)

@@ -52,7 +52,7 @@ class MessageRecording(WebsockMessageHandler):
         """Record a message, unless it is about a handle."""
         if isinstance(message, TransformControlsMessage):
             self._handles = (*self._handles, message.name)
-        if not str(getattr(message, "name", "")).startswith(self._handles or ("\0",)):
+        if not str(getattr(message, "name", "")).startswith(self._handles):
             self.serializer._insert_message(message)
 
 

@@ -19,7 +19,6 @@ from helicoide.sheet import (
     with_entered_line,
     with_entry_text,
     with_shown,
-    without_line,
 )
 from helicoide.text import Text, untranslated
 from helicoide.view import html
@@ -99,9 +98,8 @@ def _slider(name: str, lower: float, upper: float) -> Slider:
 
 
 def _chosen(view: View) -> int | None:
-    """The line that is being changed, if there still is one."""
-    sheet = view.seat.sheet
-    return sheet.entry.chosen if sheet.entry.chosen is not None and sheet.entry.chosen < len(sheet.lines) else None
+    """The line that is being changed."""
+    return view.seat.sheet.entry.chosen
 
 
 def _has_choice(view: View) -> bool:
@@ -136,7 +134,7 @@ def _line_rows() -> list[Row]:
         ),
         Button(
             lambda _: Text(en="Remove line", pt_BR="Remover linha"),
-            lambda view: _changed(lambda sheet: without_line(sheet, _chosen(view) or 0)),
+            lambda _: _changed(lambda sheet: with_entered_line(sheet, "")),
             Icon.TRASH,
             enabled=_has_choice,
             weight="destructive",

@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from helicoide.console import (
     LineResult,
+    SceneName,
     Value,
     all_functions,
     kind_of,
@@ -46,9 +47,13 @@ def result_list(view: View) -> Markup:
     sheet, language = view.seat.sheet, view.seat.language
     if not sheet.lines:
         return Markup('<p class="helicoide-note">{}</p>').format(EMPTY[language])
-    results = sheet_results(sheet, view.state)
-    lines = (_line(n, *pair, language) for n, pair in enumerate(zip(sheet.lines, results, strict=True), 1))
-    return LIST.format(Markup("").join(lines))
+    return _listed(sheet.lines, sheet_results(sheet, view.state), language)
+
+
+@lru_cache(maxsize=64)  # rows are updated for other reasons, too, and these cost milliseconds
+def _listed(lines: tuple[SheetLine, ...], results: tuple[LineResult, ...], language: Language) -> Markup:
+    written = (_line(n, *pair, language) for n, pair in enumerate(zip(lines, results, strict=True), 1))
+    return LIST.format(Markup("").join(written))
 
 
 def _line(number: int, line: SheetLine, result: LineResult, language: Language) -> Markup:
@@ -83,7 +88,7 @@ def _product(number: float, unit: str, language: Language) -> Markup:
 
 
 def entry_help(view: View) -> Markup:
-    """The names and functions that begin as the last word in the text field."""
+    """The names and functions that begin like the last word in the text field."""
     word, language = _LAST_WORD.search(view.seat.sheet.entry.text), view.seat.language
     if word is None:
         return Markup("")
@@ -104,8 +109,11 @@ def entry_help(view: View) -> Markup:
 
 def known_names(view: View) -> Markup:
     """The names of the scene, with what they stand for."""
-    language = view.seat.language
-    names = scene_names(view.state).values()
+    return _names(tuple(scene_names(view.state).values()), view.seat.language)
+
+
+@lru_cache(maxsize=64)
+def _names(names: tuple[SceneName, ...], language: Language) -> Markup:
     return NAMES.format(Markup("").join(ENTRY.format(one.name, one.title[language]) for one in names))
 
 

@@ -93,5 +93,5 @@ class Names:
 
 
 def polyline(points: Array) -> Array:
-    """The segments (k − 1, 2, 3) between successive points (k, 3)."""
-    return np.stack([points[:-1], points[1:]], axis=1)
+    """The segments (s, 2, 3) between successive points of one line (k, 3), or of each of several (m, k, 3)."""
+    return np.stack([points[..., :-1, :], points[..., 1:, :]], axis=-2).reshape(-1, 2, 3)

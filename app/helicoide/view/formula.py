@@ -9,8 +9,9 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.arrays import Array
+from helicoide.geometry.notation import blade_latex
 from helicoide.markup import formula_to_mathml
-from helicoide.readout import Coefficient, Nature, coefficients, role_of
+from helicoide.readout import SYMBOLS, Coefficient, Nature, coefficients, role_of
 from helicoide.seat import Notation
 from helicoide.text import Language, number_text
 
@@ -88,14 +89,6 @@ def general_formula(nature: Nature, notation: Notation) -> Markup:
         if one.blade == "e1e" and nature in ("motor", "line"):
             lines.append("")
         sign = "-" if one.sign * role.sign < 0 else "+" if any(lines) else ""
-        lines[-1] += rf" {sign} {role.letter}\, {blade_tex(one.name)}"
+        lines[-1] += rf" {sign} {role.letter}\, {blade_latex(one.name)}"
     lines[0] = f"{SYMBOLS[nature]} = {lines[0]}"
     return Markup("").join(map(formula_html, lines))
-
-
-def blade_tex(name: str) -> str:
-    """The name of a blade in TeX; nothing for the blade 1."""
-    return "" if name == "1" else re.sub(r"e(\d+)", r"e_{\1}", name)
-
-
-SYMBOLS: dict[Nature, str] = {"motor": "M", "line": r"\ell", "plane": r"\pi", "point": "p"}

@@ -21,6 +21,7 @@ WIDTH, LEFT, BLOCK, SIDE_LEFT, SIDE, RETURN = 344, 4, 186, 210, 120, 338
 LINE, PADDING, ARROW = 17, 7, 30
 CHARACTERS, SIDE_CHARACTERS, DIGITS = 21, 16, 3
 TINY = 1e-9  # a value nearer to zero is written as 0
+ON_ARROW = {"asked speed": 0}  # the only curve of a signal that is on the arrow; the others are of other places
 MIDDLE = LEFT + BLOCK // 4
 
 LOOP = Text(en="Control loop", pt_BR="Malha de controle")
@@ -112,16 +113,18 @@ def _number(state: State, name: str, place: tuple[int, int], language: Language)
     """The symbol of a signal and its values; a click on it does the same as its button."""
     signal = signals_of(state)[name]
     values = signal.read(state)
+    if name in ON_ARROW:
+        values = values[[ON_ARROW[name]]]
     shown = "–" if np.isnan(values).all() else _values(values, signal.unit)[language]
-    named = "" if len(values) > 2 else f"{signal.symbol} = "
+    named = "" if len(values) > 1 else f"{signal.symbol} = "
     words = WORDS.format(*place, "number", _typeset(named) + shown)
     return PRESSED.format(signal.title[language], words)
 
 
 def _values(values: np.ndarray, unit: str) -> Text:
-    """Up to two values; of more, the least and the largest."""
+    """The value of one curve; of several, the least and the largest."""
     finite = values[np.isfinite(values)]
-    few = [finite.min(), finite.max()] if len(finite) > 2 else finite[-1:]
+    few = [finite.min(), finite.max()] if len(finite) > 1 else finite
     said = [number_text(float(value) if abs(value) > TINY else 0.0, f".{DIGITS}g") for value in few]
     text = join_texts(said, " … ")
     return Text(en=f"{text.en} {unit}".replace("-", "−"), pt_BR=f"{text.pt_BR} {unit}".replace("-", "−"))

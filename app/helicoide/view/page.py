@@ -54,9 +54,10 @@ STEPS = (
 # that opens beyond the edge of a phone widens the page and pushes Stop out of view.
 TAGS = Markup(
     "<script>"
-    'location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search + location.hash);'
     "window.helicoideLink = location.hash.slice(1);"
-    'if (location.hash) history.replaceState(null, "", location.pathname + location.search);'
+    'if (!location.pathname.endsWith("/"))'
+    ' location.replace(location.pathname + "/" + location.search + location.hash);'
+    'else if (location.hash) history.replaceState(null, "", location.pathname + location.search);'
     "</script>"
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'

@@ -1,4 +1,4 @@
-"""The palette (Ctrl+K): the buttons of the panels, and every tab, pose, method, layer, lesson, study and arm."""
+"""The palette (Ctrl+K): Stop and other frequent buttons, and every tab, pose, method, layer, lesson, study and arm."""
 
 from __future__ import annotations
 

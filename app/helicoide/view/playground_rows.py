@@ -19,7 +19,6 @@ from helicoide.view.requests import ForSeat, PageRequest
 from helicoide.view.rows import Checkbox, Folder, HtmlRow, Row, Slider, VectorRow
 from helicoide.view.window_view import View
 
-TITLE = Text(en="Quaternion playground", pt_BR="Laboratório de quatérnios")
 SHOW = Text(en="Show beside the arm", pt_BR="Mostrar ao lado do braço")
 ABOUT = Text(
     en="q = cos(φ/2) + sin(φ/2) n turns the frame by φ about the unit axis n. The ball shows the vector part of q: its "
@@ -70,7 +69,7 @@ def playground_rows() -> Folder:
         Slider(WAY, 0.0, 1.0, 0.01, lambda view: view.seat.playground.t, lambda t: _changed(lambda play: play.at(t))),
         HtmlRow(_words),
     ]
-    return Folder(TITLE, rows, open=False)
+    return Folder(layer.TITLE, rows, open=False)
 
 
 def _changed(change: Callable[[Playground], Playground]) -> PageRequest:
@@ -109,10 +108,10 @@ def _rotation_rows(name: str, of: Callable[[View], AxisAngle], change: Change) -
 def _words(view: View) -> Markup:
     play, language = view.seat.playground, view.seat.language
     p, q = play.quaternions
-    middle = lerp(p, q, play.t)
+    middle, turning = lerp(p, q, play.t), math.degrees(lerp_speed(p, q, play.t))
     ways = WAYS.format(
         slerp=number_text(float(np.degrees(slerp_speed(p, q))), ".0f"),
-        lerp=number_text(float(np.degrees(lerp_speed(p, q, play.t))), ".0f"),
+        lerp=number_text(turning, ".0f") if math.isfinite(turning) else "∞",
         length=number_text(float(np.linalg.norm(middle)), ".3f"),
     )
     first, second = rotation.multiply(np.array([p, q]), np.array([q, p]))

@@ -11,7 +11,7 @@ from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.readout import PoseForms
-from helicoide.text import Language, Text, number_text
+from helicoide.text import Language, Text, rounded_text
 from helicoide.view import html
 from helicoide.view.inspector_rows import inspected
 from helicoide.view.notation_rows import convention_title, euler_row
@@ -76,7 +76,7 @@ def _forms(view: View) -> Markup:
 
 def _written(forms: PoseForms, convention: str, language: Language) -> Markup:
     q, half = forms.quaternion, forms.half_angle
-    halves = HALVES.format(half=_number(np.degrees(half), 2), sine=_number(np.sin(half), 4))
+    halves = HALVES.format(half=rounded_text(np.degrees(half), 2), sine=rounded_text(np.sin(half), 4))
     parts = [
         _screw(forms.screw, language, STILL),
         Markup("<p><b>{}</b> q = {}</p><p>{}</p>").format(
@@ -106,14 +106,14 @@ def quaternion_words(q: Array, language: Language) -> str:
 def _screw(screw: ScrewDisplacement, language: Language, still: Text) -> Markup:
     slide, angle = 1000 * float(screw.displacement), float(np.degrees(screw.angle))
     said = {
-        "slide": _number(slide, 1),
+        "slide": rounded_text(slide, 1),
         "direction": _numbers(screw.direction, 3),
-        "angle": _number(angle, 2),
+        "angle": rounded_text(angle, 2),
         "point": _numbers(1000 * screw.point, 1),
     }
     if angle:
         h = 1000 * float(screw.pitch)
-        words = TURNING.format(**said, pitch=PITCH.format(h=_number(h, 1), lead=_number(2 * np.pi * h, 1)))
+        words = TURNING.format(**said, pitch=PITCH.format(h=rounded_text(h, 1), lead=rounded_text(2 * np.pi * h, 1)))
     else:
         words = SLIDING.format(**said) if slide else still
     return Markup("<p><b>{}</b> {}</p>").format(SCREW[language], words[language])
@@ -125,7 +125,7 @@ def _euler(forms: PoseForms, convention: str, language: Language) -> Markup:
     words = Markup("<p>{}</p>").format(said)
     if not forms.near_singular:
         return words
-    margin = _number(float(np.degrees(forms.euler.singularity_margin)), 2)
+    margin = rounded_text(float(np.degrees(forms.euler.singularity_margin)), 2)
     return words + Markup("<p class='helicoide-warning'>⚠ {}</p>").format(WARNING.format(margin=margin)[language])
 
 
@@ -140,17 +140,10 @@ def _table(title: Text, rows: Array, decimals: int, language: Language) -> Marku
     return table.format(title[language], Markup("").join(cells))
 
 
-def _number(value: float, decimals: int) -> Text:
-    """A number with a minus sign, and without one if it is rounded to 0."""
-    rounded = round(float(value), decimals) + 0.0
-    text = number_text(rounded, f".{decimals}f")
-    return Text(en=text.en.replace("-", "−"), pt_BR=text.pt_BR.replace("-", "−"))
-
-
 def _each(values: Iterable[float], decimals: int, language: Language) -> list[str]:
-    return [_number(value, decimals)[language] for value in values]
+    return [rounded_text(value, decimals)[language] for value in values]
 
 
 def _numbers(values: Array, decimals: int) -> Text:
-    each = [_number(value, decimals) for value in values]
+    each = [rounded_text(value, decimals) for value in values]
     return Text(en=", ".join(text.en for text in each), pt_BR="; ".join(text.pt_BR for text in each))

@@ -30,8 +30,13 @@ READING = Text(en="Reading {name}…", pt_BR="Lendo {name}…")
 TIME = Text(en="time [s]", pt_BR="tempo [s]")
 PLAY, PAUSE = Text(en="Play as an outline", pt_BR="Reproduzir como contorno"), Text(en="Pause", pt_BR="Pausar")
 REPLAY = Text(en="Replay on the arm", pt_BR="Reproduzir no braço")
-SAVE_MCAP, SAVE_CSV = Text(en="Save as MCAP", pt_BR="Salvar como MCAP"), Text(en="Save as CSV", pt_BR="Salvar como CSV")
+SAVE_MCAP = Text(en="Save recording as MCAP", pt_BR="Salvar gravação como MCAP")
+SAVE_CSV = Text(en="Save recording as CSV", pt_BR="Salvar gravação como CSV")
 DELETE = Text(en="Delete this recording", pt_BR="Apagar esta gravação")
+SHARED = Text(
+    en="Everyone who uses this lab sees the same recordings. A deleted recording is gone for everyone.",
+    pt_BR="Todos os que usam este laboratório veem as mesmas gravações. Uma gravação apagada desaparece para todos.",
+)
 THEN = Text(en="At this time: {status}", pt_BR="Neste instante: {status}")
 STEP = 0.02  # s
 
@@ -57,6 +62,7 @@ def recording_rows(robot: Robot) -> Folder:
         Plot(_charts, 0),
         Button(lambda _: SAVE_MCAP, lambda _: SaveRecording("mcap"), Icon.DOWNLOAD, shown=_is_in_folder),
         Button(lambda _: SAVE_CSV, lambda _: SaveRecording("csv"), Icon.DOWNLOAD, shown=_is_open),
+        HtmlRow(lambda view: html.note(SHARED[view.seat.language]) if _is_in_folder(view) else Markup("")),
         Button(
             lambda _: DELETE,
             lambda view: DeleteRecording(view.recordings.chosen),

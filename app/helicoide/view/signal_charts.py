@@ -26,6 +26,7 @@ OF_METHOD, INVERSE = untranslated("{curve}, {method}"), untranslated("{y} = 1/{x
 DECADES = 8
 PHASE_POINTS = 250  # of a curve in a phase plane
 BRANCH = 100  # points of a branch of 1/x
+CACHED = 128  # enough for four charts in each window of a class of thirty
 Titles = tuple[Text, ...]
 
 
@@ -68,16 +69,17 @@ def axis_label(signal: Signal) -> Text:
     return untranslated(f"{signal.symbol} [{signal.unit}]" if signal.unit else signal.symbol)
 
 
-@lru_cache(maxsize=32)  # until the next sample, so that a chart that has not changed is the same object
+@lru_cache(maxsize=CACHED)  # until the next sample, so that a chart that has not changed is the same object
 def _time_chart(
     history: SignalHistory, signal: Signal, bands: tuple[Band, ...], axis: tuple[float, bool], titles: Titles
 ) -> Chart | None:
     """axis: the span, s, and whether it is logarithmic. None if there is no value in the span."""
     span, log = axis
     part = history.since(span)
-    if signal.name not in history.values or not np.isfinite(history.values[signal.name][part]).any():
+    sampled = history.of(signal)
+    if sampled is None or not np.isfinite(sampled[part]).any():
         return None
-    times, values = _thinned(*_with_gaps(history.times[part], history.values[signal.name][part]))
+    times, values = _thinned(*_with_gaps(history.times[part], sampled[part]))
     if log:
         values = np.where(values > 0, values, np.nan)
     shown = tuple(band for band in bands if not log)
@@ -124,16 +126,17 @@ def _range(values: Array, bands: tuple[Band, ...], log: bool) -> tuple[float, fl
     return step * floor(lower / step), -step * floor(-upper / step)
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=CACHED)
 def _phase_chart(
     history: SignalHistory, phase: PhasePlane, signals: tuple[Signal, Signal], span: float, titles: Titles
 ) -> Chart | None:
     """One signal over another, curve by curve; None if no curve has values."""
     across, up = signals
     part = history.since(span)
-    if across.name not in history.values or up.name not in history.values:
+    horizontal, vertical = history.of(across), history.of(up)
+    if horizontal is None or vertical is None:
         return None
-    x, y = history.values[across.name][part], history.values[up.name][part]
+    x, y = horizontal[part], vertical[part]
     lines = []
     every = max(1, len(x) // PHASE_POINTS)
     x, y = x[::-every][::-1], y[::-every][::-1]  # with the last sample

@@ -165,11 +165,11 @@ def _note(view: View) -> Markup:
 
 def _undefined(view: View, shown: Sequence[str]) -> list[Text]:
     """The titles of the chosen charts without a value at the last sample."""
-    titles, phases, values = chart_titles(view), phase_planes(), view.history.values
+    titles, history = chart_titles(view), view.history
 
     def is_blank(name: str) -> bool:
-        needs = (phases[name].across, phases[name].up) if name in phases else (name,)
-        return not all(need in values and np.isfinite(values[need][-1]).any() for need in needs)
+        sampled = (history.of(signal) for signal in needed_signals(view.state, (name,)))
+        return any(values is not None and not np.isfinite(values[-1]).any() for values in sampled)
 
     return [titles[name] for name in shown if name in titles and is_blank(name)]
 

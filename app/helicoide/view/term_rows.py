@@ -76,7 +76,8 @@ def _joints(view: View) -> Sequence[tuple[Hashable, Text]]:
 
 
 def _why(view: View) -> Markup:
-    language, chosen, chain = view.seat.language, chosen_coefficient(view), chain_shown(view)
+    language, chosen = view.seat.language, chosen_coefficient(view)
+    chain = None if chosen is None else chain_shown(view)
     if chosen is None or chain is None:
         return html.note(CHOOSE[language])
     _, one = chosen

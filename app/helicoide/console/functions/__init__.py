@@ -68,9 +68,9 @@ class ConsoleFunction:
         return self.compute(*(self._taken(n, argument) for n, argument in enumerate(arguments)))
 
     def _taken(self, n: int, argument: Value) -> Any:
-        parameter = self.parameters[min(n, len(self.parameters) - 1)]
+        take = self.parameters[min(n, len(self.parameters) - 1)]
         try:
-            return parameter.take(argument)
+            return take(argument)
         except HelicoideError as error:
             what = ARGUMENT.format(n=n + 1, signature=self.signature, what=error.text)
             raise HelicoideError(what) from None

@@ -7,7 +7,7 @@ import numpy as np
 from helicoide.console.functions import Compute, Example, console_function
 from helicoide.console.operators import binary
 from helicoide.console.parameters import ANYTHING, GRADE, MOTOR, MULTIVECTOR, NUMBER
-from helicoide.console.values import Value, quaternion_value, reverse_of, size_of
+from helicoide.console.values import Value, finite_value, quaternion_value, reverse_of, size_of
 from helicoide.geometry import pga, rigid
 from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS
 from helicoide.geometry.multivector import Multivector
@@ -79,6 +79,7 @@ def _norm(X: Value) -> Value:
 )  # fmt: skip
 def _unit(X: Value) -> Value:
     size = size_of(X)
+    finite_value(size)  # 1/∞ would make it 0
     if size < 1e-300:
         raise HelicoideError(NO_NORM)
     return X * (1 / size)
@@ -136,8 +137,8 @@ def _part(X: Value, blade: Value) -> Value:
 )  # fmt: skip
 def _quaternion(w: Value, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Value:
     if isinstance(w, Multivector) and w.algebra is not QUATERNIONS:
-        return quaternion_value(rigid.dual_quaternion(MOTOR.take(w))[:4])
-    return quaternion_value(np.array([NUMBER.take(w), x, y, z]))
+        return quaternion_value(rigid.dual_quaternion(MOTOR(w))[:4])
+    return quaternion_value(np.array([NUMBER(w), x, y, z]))
 
 
 def _converted(name: str, about: Text, example: Example, into_modern: bool, as_motor: bool) -> Compute:

@@ -9,7 +9,7 @@ from helicoide.console.kinds import kind_of
 from helicoide.console.parameters import ELEMENT, FLAT, INCIDENT, LINE, NUMBER, POINT
 from helicoide.console.values import Value, multivector_value
 from helicoide.geometry import incidence, rigid
-from helicoide.geometry.clifford import CL031, Array
+from helicoide.geometry.clifford import Array
 from helicoide.geometry.rotation import unit_vector
 from helicoide.text import HelicoideError, Text
 
@@ -184,7 +184,7 @@ def _common_normal(K: Array, L: Array) -> Value:
 
 
 def _swapped(A: Array, B: Array) -> tuple[Array, Array]:
-    """B and A, whose order is the one that is computed. Raises HelicoideError if it is not, either."""
+    """B and A, whose order is the one that is computed. Raises HelicoideError if neither order is."""
     if (_kind(B), _kind(A)) not in (("line", "point"), ("plane", "point"), ("line", "plane")):
         raise HelicoideError(LOST)
     return B, A
@@ -206,7 +206,7 @@ def _kind(X: Array) -> str:
 
 def _between_planes(A: Array, B: Array) -> float:
     """Distance of two parallel planes, on the side of the first one's normal. Raises HelicoideError for others."""
-    if incidence.is_finite(CL031.outer(A, B)) and np.any(incidence.meet(A, B)):
+    if incidence.is_finite(incidence.meet(A, B)):
         raise HelicoideError(NO_DISTANCE)
     normal, offset = rigid.normal_and_offset(B)
     return float(rigid.point_plane_distance(A, rigid.point(normal * offset)))

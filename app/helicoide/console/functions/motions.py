@@ -9,7 +9,7 @@ import numpy as np
 from helicoide.console.functions import Example, console_function
 from helicoide.console.parameters import ANYTHING, BIVECTOR, INCIDENT, LINE, MOTOR, NUMBER, POINT, UNIT_QUATERNION
 from helicoide.console.values import NOT_FINITE, Value, multivector_value, quaternion_value
-from helicoide.geometry import motor, pga, rigid, rotation
+from helicoide.geometry import motor, pga, quaternion_paths, rigid, rotation
 from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Array
 from helicoide.geometry.multivector import Multivector
 from helicoide.text import HelicoideError, Text
@@ -18,10 +18,6 @@ POSITIVE = Text(en="log takes numbers above 0", pt_BR="log recebe números maior
 NO_AXIS = Text(
     en="a translation has no axis of rotation; direction(x, y, z) and log(M) describe it",
     pt_BR="uma translação não tem eixo de rotação; direction(x, y, z) e log(M) a descrevem",
-)
-PURE = Text(
-    en="exp of a quaternion takes one without real part, such as angle/2*k",
-    pt_BR="exp de um quatérnio recebe um sem parte real, como ângulo/2*k",
 )
 
 
@@ -70,8 +66,13 @@ def _screw(L: Array, angle: float, shift: float = 0.0) -> Value:
     least=1,
 )  # fmt: skip
 def _motor(q: Array, p: Array | None = None) -> Value:
-    turn = rigid.motor_from_dual_quaternion(np.concatenate([q, np.zeros(4)]))
+    turn = _rotation(q)
     return multivector_value(turn if p is None else CL031.product(rigid.translator(rigid.coordinates(p)), turn))
+
+
+def _rotation(q: Array) -> Array:
+    """The motor of a unit quaternion: a rotation about an axis through the origin."""
+    return rigid.motor_from_dual_quaternion(np.concatenate([q, np.zeros(4)]))
 
 
 @console_function(
@@ -84,11 +85,8 @@ def _motor(q: Array, p: Array | None = None) -> Value:
     work=4,
 )  # fmt: skip
 def _rotate(M: Value, X: Array) -> Value:
-    if isinstance(M, Multivector) and M.algebra is QUATERNIONS:
-        q = UNIT_QUATERNION.take(M)
-        mover = rigid.motor_from_dual_quaternion(np.concatenate([q, np.zeros(4)]))
-    else:
-        mover = MOTOR.take(M)
+    is_quaternion = isinstance(M, Multivector) and M.algebra is QUATERNIONS
+    mover = _rotation(UNIT_QUATERNION(M)) if is_quaternion else MOTOR(M)
     return multivector_value(rigid.move(mover, X))
 
 
@@ -103,18 +101,21 @@ def _rotate(M: Value, X: Array) -> Value:
 )  # fmt: skip
 def _exp(B: Value) -> Value:
     if not isinstance(B, Multivector):
-        try:
-            return math.exp(B)
-        except OverflowError:
-            raise HelicoideError(NOT_FINITE) from None
+        return _exp_of_number(B)
     if B.algebra is QUATERNIONS:
-        if B.values[0]:
-            raise HelicoideError(PURE)
-        return quaternion_value(rotation.from_rotation_vector(2 * B.values[1:]))
+        real, *_ = B.values.tolist()
+        return quaternion_value(_exp_of_number(real) * rotation.from_rotation_vector(2 * B.values[1:]))
     if B.algebra is PGA:
-        inner = BIVECTOR.take(multivector_value(pga.motor_from_modern(B.values)))
+        inner = BIVECTOR(multivector_value(pga.motor_from_modern(B.values)))
         return Multivector(pga.motor_to_modern(motor.exp(inner)), PGA)
-    return multivector_value(motor.exp(BIVECTOR.take(B)))
+    return multivector_value(motor.exp(BIVECTOR(B)))
+
+
+def _exp_of_number(x: float) -> float:
+    try:
+        return math.exp(x)
+    except OverflowError:
+        raise HelicoideError(NOT_FINITE) from None
 
 
 @console_function(
@@ -132,12 +133,12 @@ def _log(M: Value) -> Value:
             raise HelicoideError(POSITIVE)
         return math.log(M)
     if M.algebra is QUATERNIONS:
-        half = rotation.rotation_vector(UNIT_QUATERNION.take(M)) / 2
+        half = rotation.rotation_vector(UNIT_QUATERNION(M)) / 2
         return quaternion_value(np.concatenate([[0.0], half]))
     if M.algebra is PGA:
-        inner = MOTOR.take(multivector_value(pga.motor_from_modern(M.values)))
+        inner = MOTOR(multivector_value(pga.motor_from_modern(M.values)))
         return Multivector(pga.motor_to_modern(motor.log(inner)), PGA)
-    return multivector_value(motor.log(MOTOR.take(M)))
+    return multivector_value(motor.log(MOTOR(M)))
 
 
 @console_function(
@@ -155,7 +156,7 @@ def _axis(M: Array) -> Value:
 
 @console_function(
     "turn(M)", (MOTOR,),
-    Text(en="angle by which a motor rotates, 0 to pi", pt_BR="ângulo de que um motor gira, de 0 a pi"),
+    Text(en="angle by which a motor rotates, 0 to pi", pt_BR="ângulo de rotação de um motor, de 0 a pi"),
     Example("turn(rotor(0, 0, 1, -1))", "1"),
     work=10,
 )  # fmt: skip
@@ -198,5 +199,4 @@ def _sclerp(M: Array, N: Array, s: float) -> Value:
     work=6,
 )  # fmt: skip
 def _slerp(p: Array, q: Array, s: float) -> Value:
-    between = rotation.rotation_vector(rotation.multiply(rotation.conjugate(p), q))
-    return quaternion_value(rotation.multiply(p, rotation.from_rotation_vector(s * between)))
+    return quaternion_value(quaternion_paths.slerp(p, q if p @ q >= 0 else -q, s))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from helicoide.console.functions import Example, console_function
+from helicoide.console.functions import Compute, Example, console_function
 from helicoide.console.parameters import ANYTHING, NUMBER
 from helicoide.console.values import Value, size_of
 from helicoide.text import HelicoideError, Text
@@ -13,52 +13,44 @@ from helicoide.text import HelicoideError, Text
 DOMAIN = Text(en="{name} of this number is not a real number", pt_BR="{name} deste número não é um número real")
 
 
-def _real(name: str, compute: Callable[[float], float], x: float) -> float:
-    """The value of a function of one number. Raises HelicoideError outside its domain."""
-    try:
-        return compute(x)
-    except (ValueError, OverflowError):
-        raise HelicoideError(DOMAIN.format(name=name)) from None
+def _real(compute: Callable[[float], float], about: Text, example: Example) -> Compute:
+    """A function of one number, called as `math` names it. It raises HelicoideError outside its domain."""
+    name = compute.__name__
+
+    @console_function(f"{name}(x)", (NUMBER,), about, example)
+    def real(x: float) -> Value:
+        try:
+            return compute(x)
+        except (ValueError, OverflowError):
+            raise HelicoideError(DOMAIN.format(name=name)) from None
+
+    return real
 
 
-@console_function(
-    "sin(x)", (NUMBER,), Text(en="sine of an angle in radians", pt_BR="seno de um ângulo em radianos"),
-    Example("sin(pi/6)", "0.5"),
-)  # fmt: skip
-def _sin(x: float) -> Value:
-    return _real("sin", math.sin, x)
-
-
-@console_function(
-    "cos(x)", (NUMBER,), Text(en="cosine of an angle in radians", pt_BR="cosseno de um ângulo em radianos"),
+_sin = _real(
+    math.sin, Text(en="sine of an angle in radians", pt_BR="seno de um ângulo em radianos"), Example("sin(pi/6)", "0.5")
+)
+_cos = _real(
+    math.cos,
+    Text(en="cosine of an angle in radians", pt_BR="cosseno de um ângulo em radianos"),
     Example("cos(pi/3)", "0.5"),
-)  # fmt: skip
-def _cos(x: float) -> Value:
-    return _real("cos", math.cos, x)
-
-
-@console_function(
-    "tan(x)", (NUMBER,), Text(en="tangent of an angle in radians", pt_BR="tangente de um ângulo em radianos"),
+)
+_tan = _real(
+    math.tan,
+    Text(en="tangent of an angle in radians", pt_BR="tangente de um ângulo em radianos"),
     Example("tan(pi/4)", "1"),
-)  # fmt: skip
-def _tan(x: float) -> Value:
-    return _real("tan", math.tan, x)
-
-
-@console_function(
-    "asin(x)", (NUMBER,), Text(en="angle in radians with this sine", pt_BR="ângulo em radianos com este seno"),
+)
+_asin = _real(
+    math.asin,
+    Text(en="angle in radians with this sine", pt_BR="ângulo em radianos com este seno"),
     Example("asin(1)", "pi/2"),
-)  # fmt: skip
-def _asin(x: float) -> Value:
-    return _real("asin", math.asin, x)
-
-
-@console_function(
-    "acos(x)", (NUMBER,), Text(en="angle in radians with this cosine", pt_BR="ângulo em radianos com este cosseno"),
+)
+_acos = _real(
+    math.acos,
+    Text(en="angle in radians with this cosine", pt_BR="ângulo em radianos com este cosseno"),
     Example("acos(0)", "pi/2"),
-)  # fmt: skip
-def _acos(x: float) -> Value:
-    return _real("acos", math.acos, x)
+)
+_sqrt = _real(math.sqrt, Text(en="square root", pt_BR="raiz quadrada"), Example("sqrt(2)**2", "2"))
 
 
 @console_function(
@@ -68,13 +60,6 @@ def _acos(x: float) -> Value:
 )  # fmt: skip
 def _atan2(y: float, x: float) -> Value:
     return math.atan2(y, x)
-
-
-@console_function(
-    "sqrt(x)", (NUMBER,), Text(en="square root", pt_BR="raiz quadrada"), Example("sqrt(2)**2", "2")
-)  # fmt: skip
-def _sqrt(x: float) -> Value:
-    return _real("sqrt", math.sqrt, x)
 
 
 @console_function(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -21,6 +21,7 @@ ORDER = 3
 PRESET = ("planes", "obstacles", "own bodies")
 PHASES: tuple[PhasePlane, ...] = ()
 
+LEAST = Text(en="Least distance to each plane", pt_BR="Menor distância a cada plano")
 WARNING = Text(en="warning distance", pt_BR="distância de aviso")
 SAFETY = Text(en="safety distance", pt_BR="distância de segurança")
 
@@ -29,9 +30,8 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
     """The least distance to each plane, to each obstacle, and between bodies; then every point to each plane."""
     panes, points, robot = problem.planes.panes, problem.robot.monitored, problem.robot
     if panes and points:
-        title = Text(en="Least distance to each plane", pt_BR="Menor distância a cada plano")
         names = tuple(pane.title for pane in panes)
-        yield Signal("planes", title, "l", "mm", names, least_plane_distances, plane_bands)
+        yield Signal("planes", LEAST, "l", "mm", names, least_plane_distances, plane_bands)
     if problem.obstacles.radii.size and len(problem.pairs) > len(robot.self_collision):
         title = Text(en="Least distance to each obstacle", pt_BR="Menor distância a cada obstáculo")
         names = tuple(untranslated(subscript("d", k + 1)) for k in range(len(problem.obstacles.radii)))
@@ -55,6 +55,7 @@ def _to_plane(k: int, state: State) -> Array:
     return np.asarray(1000 * plane_distances(state)[:, k])
 
 
+@lru_cache(maxsize=8)  # the signals of one state share it
 def body_distances(state: State) -> Array:
     """The distance of each of `Problem.pairs` from surface to surface, (b,), m."""
     problem = state.problem

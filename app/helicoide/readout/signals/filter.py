@@ -98,9 +98,10 @@ def _figure(symbol: str) -> Callable[[State], Array]:
     """A figure of the last solution of a filtered inverse, (1,)."""
 
     def values(state: State) -> Array:
-        drive = state.request.controller
-        filters = isinstance(drive.memory, filtered.Memory) and drive.solution is not None
-        return scalar(drive.solution.figures[symbol] if filters and drive.solution is not None else np.nan)
+        controller = state.request.controller
+        if not isinstance(controller.memory, filtered.Memory) or controller.solution is None:
+            return scalar(np.nan)
+        return scalar(controller.solution.figures[symbol])
 
     return values
 

@@ -73,26 +73,35 @@ def all_layers() -> tuple[ModuleType, ...]:
     return tuple(content.modules(__name__).values())
 
 
-def optional() -> list[ModuleType]:
+@cache
+def optional() -> tuple[ModuleType, ...]:
     """The modules of the layers that the user can show and hide, in the order of `KINDS`."""
     kinds = list(KINDS)
-    return sorted((layer for layer in all_layers() if hasattr(layer, "TITLE")), key=lambda one: kinds.index(one.KIND))
+    found = (layer for layer in all_layers() if hasattr(layer, "TITLE"))
+    return tuple(sorted(found, key=lambda one: kinds.index(one.KIND)))
+
+
+def _shown_with(member: str, view: View) -> list[ModuleType]:
+    """The layers that a view shows and whose modules define a member; none until the kernels are compiled."""
+    return [layer for layer in _optional_with(member) if view.ready and view.seat.visible_layers[layer.NAME]]
+
+
+@cache
+def _optional_with(member: str) -> tuple[ModuleType, ...]:
+    return tuple(layer for layer in optional() if hasattr(layer, member))
 
 
 def any_moves(view: View) -> bool:
     """Whether a layer that the view shows moves by itself, so that it is drawn again although nothing has changed."""
-    return any(
-        layer.moves(view) for layer in optional() if hasattr(layer, "moves") and view.seat.visible_layers[layer.NAME]
-    )
+    return any(layer.moves(view) for layer in _shown_with("moves", view))
 
 
 def needed(view: View) -> Iterator[PageRequest]:
     """Requests for what the shown layers of a view need and its state does not have."""
-    for layer in optional():
-        if hasattr(layer, "needs") and view.ready and view.seat.visible_layers[layer.NAME]:
-            request = layer.needs(view)
-            if request is not None:
-                yield request
+    for layer in _shown_with("needs", view):
+        request = layer.needs(view)
+        if request is not None:
+            yield request
 
 
 class Layers:

@@ -22,25 +22,20 @@ COLOUR = PURPLE
 
 
 def build(stage: Stage) -> ComparedOutline:
-    """The layer, without an outline until there is a second arm."""
+    """The layer, which draws nothing without a second arm."""
     return ComparedOutline(stage)
 
 
 class ComparedOutline:
-    """The second arm's outline, made when it is first needed."""
+    """The second arm's outline."""
 
     def __init__(self, stage: Stage) -> None:
-        self.stage = stage
-        self.outline: Outline | None = None
+        self.outline = Outline(stage, NAME, COLOUR)
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the second arm."""
         second = new.state.compared
         shown = second is not None and new.seat.visible_layers[NAME]
-        if self.outline is None and shown:
-            self.outline, old = Outline(self.stage, NAME, COLOUR), None
-        if self.outline is None:
-            return
         appears = shown and not self.outline.shown
         self.outline.show(shown)
         if second is not None and shown and (appears or old is None or old.state.compared is not second):

@@ -16,6 +16,7 @@ from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.text import Text
 from helicoide.view.colours import GREEN
+from helicoide.view.figures import Names
 from helicoide.view.layers import Stage
 from helicoide.view.pose import place_node
 from helicoide.view.window_view import View
@@ -27,7 +28,7 @@ SHOWN = True
 KIND = "algebra"
 SAID = Text(
     en="The points, lines, planes and motors (as frames) that the lines of the console give, with their names.",
-    pt_BR="Os pontos, retas, planos e motores (como referenciais) que as linhas do console dão, com seus nomes.",
+    pt_BR="Os pontos, retas, planos e motores (como referenciais) que resultam das linhas do console, com seus nomes.",
 )
 
 COLOUR = GREEN
@@ -41,22 +42,23 @@ def build(stage: Stage) -> ConsoleResults:
 
 
 class ConsoleResults:
-    """A frame for each drawn line of the sheet, with its shape; frames are added when needed, and hidden otherwise."""
+    """A shape and a name for each drawn line of the sheet; shapes are added when needed, and hidden otherwise."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.middle = rigid.point((0.0, 0.0, 0.5 * stage.robot.reach))
         self.nodes: list[dict[str, Any]] = []
+        self.names = Names(stage, f"/{NAME}")
 
     def update(self, old: View | None, new: View) -> None:
         """Draw the results again if the sheet or the arm has changed."""
         if not new.ready or (old is not None and old.ready and _depends(old) == _depends(new)):
             return
         shown = list(self._shapes(new)) if new.seat.visible_layers[NAME] else []
-        while len(self.nodes) < len(shown):
-            self.nodes.append({})
+        self.nodes += [{} for _ in shown[len(self.nodes) :]]
         for index, node in enumerate(self.nodes):
             self._draw(index, node, shown[index] if index < len(shown) else None)
+        self.names.write([name for _, _, name in shown], [pose[:3, 3] for _, pose, _ in shown])
 
     def _shapes(self, view: View) -> Iterator[tuple[str, Array, str]]:
         """The kind, the pose T_world_shape (4, 4), m, and the name of each result that is drawn."""
@@ -71,25 +73,20 @@ class ConsoleResults:
                     yield kind, pose, result.name or str(n)
 
     def _draw(self, index: int, node: dict[str, Any], shape: tuple[str, Array, str] | None) -> None:
+        """Show one shape of a node's, and hide its others. node: its shapes by kind."""
         for kind, handle in node.items():
-            if handle.visible != (shape is not None and kind in (shape[0], f"name {shape[2]}")):
+            if handle.visible != (shape is not None and kind == shape[0]):
                 handle.visible = not handle.visible
         if shape is None:
             return
-        kind, pose, name = shape
-        for part in (kind, f"name {name}"):
-            if part not in node:
-                for other in [other for other in node if other.startswith("name ") and part.startswith("name ")]:
-                    node.pop(other).remove()
-                node[part] = self._made(f"/console/{index}/{part.partition(' ')[0]}", part)
+        kind, pose, _ = shape
+        if kind not in node:
+            node[kind] = self._made(f"/{NAME}/{index}/{kind}", kind)
         place_node(node[kind], pose)
-        node[f"name {name}"].position = pose[:3, 3]
 
-    def _made(self, path: str, part: str) -> Any:
-        """The node of a kind of shape, or of a name."""
+    def _made(self, path: str, kind: str) -> Any:
+        """The node of a kind of shape."""
         scene, size, reach = self.stage.scene, self.stage.size, self.stage.robot.reach
-        if part.startswith("name "):
-            return scene.add_label(path, part.removeprefix("name "), anchor="bottom-left")
         makers: dict[str, Callable[[], Any]] = {
             "point": lambda: scene.add_icosphere(path, radius=0.014 * size, color=COLOUR),
             "line": lambda: scene.add_line_segments(
@@ -107,7 +104,7 @@ class ConsoleResults:
             ),
             "motor": lambda: scene.add_frame(path, axes_length=0.12 * size, axes_radius=0.004 * size),
         }
-        return makers[part]()
+        return makers[kind]()
 
 
 def shape_pose(kind: str, value: Multivector, middle: Array) -> Array:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.kinematics.dh_parts import DhParts, dh_parts
+from helicoide.kinematics.dh_parts import dh_parts
 from helicoide.kinematics.forward import dh_frames
 from helicoide.state import State
 from helicoide.text import Language, Text
@@ -33,8 +33,8 @@ SAID = Text(
 
 AXES, RADIUS = 0.08, 0.07  # length of the axes and radius of the arcs, × size, m
 NOTHING = 1e-9  # rad or m: what is smaller is not drawn
-ANGLE = Text(en="{symbol}{n} {value:.1f}°", pt_BR="{symbol}{n} {value:.1f}°")
-LENGTH = Text(en="{symbol}{n} {value:.0f} mm", pt_BR="{symbol}{n} {value:.0f} mm")
+ANGLE = Text(en="{symbol}{n} {value:z.1f}°", pt_BR="{symbol}{n} {value:z.1f}°")
+LENGTH = Text(en="{symbol}{n} {value:z.0f} mm", pt_BR="{symbol}{n} {value:z.0f} mm")
 COLOURS = {"θ": ORANGE, "d": BLUE, "a": GREEN, "α": PURPLE}
 
 
@@ -79,24 +79,17 @@ def _drawing(state: State, size: float, language: Language) -> _Drawing:
     robot, q = state.robot, state.arm.q
     frames = dh_frames(robot, q)
     rows = dh_parts(robot, q, frames, RADIUS * size)
-    segments = []
-    for place in range(len(COLOURS)):
-        drawn = [polyline(row.drawn[place]) for row in rows if abs(row.values[place]) > NOTHING]
-        segments.append(np.concatenate([np.zeros((0, 2, 3)), *drawn]))
-    named = [one for n, row in enumerate(rows) for one in _named(row, n + 1, language)]
-    return _Drawing(np.array(frames), segments, [text for text, _ in named], [at for _, at in named])
-
-
-def _named(row: DhParts, n: int, language: Language) -> list[tuple[str, Array]]:
-    """The names of the parts of row n that are not zero, each at the middle of its part."""
-    named = []
-    for symbol, part, value in zip(COLOURS, row.drawn, row.values, strict=True):
-        if abs(value) > NOTHING:
-            angle = len(part) > 2
-            shown = round(np.degrees(value), 1) if angle else round(1000 * value)
-            middle = part[len(part) // 2] if angle else (part[0] + part[1]) / 2
-            named.append((_words(symbol, n, float(shown), angle)[language], middle))
-    return named
+    drawn = np.abs(rows.values) > NOTHING
+    segments, texts, places = [], [], []
+    for part, values, there, symbol in zip(rows[:4], rows.values.T, drawn.T, COLOURS, strict=True):
+        segments.append(polyline(part[there]))
+        angle = part.shape[1] > 2
+        middles = part[:, part.shape[1] // 2] if angle else part.mean(axis=1)
+        shown = (np.degrees(values) if angle else 1000 * values).round(1 if angle else 0)
+        for n in np.flatnonzero(there).tolist():
+            texts.append(_words(symbol, n + 1, float(shown[n]), angle)[language])
+            places.append(middles[n])
+    return _Drawing(np.array(frames), segments, texts, places)
 
 
 @lru_cache(maxsize=1024)

@@ -27,7 +27,7 @@ SAID = Text(
 
 # Colours, and thicknesses, × size, m.
 STYLES = {Zone.FREE: (BLUE, 0.002), Zone.WARNING: (ORANGE, 0.004), Zone.CRITICAL: (VERMILION, 0.007)}
-MILLIMETRES = Text(en="{mm:.0f} mm", pt_BR="{mm:.0f} mm")
+MILLIMETRES = Text(en="{mm:z.0f} mm", pt_BR="{mm:z.0f} mm")
 
 
 def build(stage: Stage) -> DistancesLayer:
@@ -52,5 +52,5 @@ class DistancesLayer(OptionalLayer):
         found = readout.dimension_lines(view.state)
         for zone, lines in self.lines.items():
             lines.write(found.ends[np.array([one is zone for one in found.zones], dtype=bool)])
-        said = [MILLIMETRES.format(mm=1000 * length + 0.0)[view.seat.language] for length in found.lengths.tolist()]
+        said = [MILLIMETRES.format(mm=1000 * length)[view.seat.language] for length in found.lengths.tolist()]
         self.names.write(said, found.ends.mean(axis=1))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import inf
 
 import numpy as np
@@ -11,6 +12,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.self_motion import Rows, freest_joint, self_motion_step
+from helicoide.state import State
 from helicoide.text import Text
 from helicoide.view.colours import PURPLE
 from helicoide.view.layers import Stage
@@ -41,8 +43,14 @@ def build(stage: Stage) -> NullMotionLayer:
 
 
 def moves(view: View) -> bool:
-    """Always: the ghost moves while the arm is at rest."""
-    return view.ready
+    """While there is a null space."""
+    return _followed_joint(view.state) is not None
+
+
+@lru_cache(maxsize=4)
+def _followed_joint(state: State) -> int | None:
+    """The joint that the ghost follows; None without a null space. Cached, as all windows share it."""
+    return freest_joint(state.robot, state.arm.q, counted_rows(state.robot, state.request.with_orientation))
 
 
 class NullMotionLayer(OptionalLayer):
@@ -50,7 +58,7 @@ class NullMotionLayer(OptionalLayer):
 
     def __init__(self, stage: Stage, name: str) -> None:
         super().__init__(stage, name)
-        self.outline: Outline | None = None
+        self.outline = Outline(stage, name, PURPLE)
         self.begun = self.q = np.zeros(0)
         self.rows: Rows = np.zeros(0, dtype=bool)
         self.joint: int | None = None
@@ -66,16 +74,13 @@ class NullMotionLayer(OptionalLayer):
         rows = counted_rows(robot, state.request.with_orientation)
         if self.begun is not state.arm.q or self.rows is not rows:
             self.begun, self.rows, self.q, self.way = state.arm.q, rows, state.arm.q, 1.0
-            self.joint = freest_joint(robot, state.arm.q, rows)
+            self.joint = _followed_joint(state)
         step = SPEED * min(max(view.time - self.time, 0.0), LONGEST_STEP)
         self.time = view.time
-        if self.outline is None and self.joint is not None:
-            self.outline = Outline(self.stage, self.name, PURPLE)
-        if self.outline is not None:
-            self.outline.show(self.joint is not None)
-            if self.joint is not None:
-                self._advance(robot, state.T_world_tool, self.joint, step)
-                self.outline.write(link_poses(robot.chain, self.q), state.arm.gripper)
+        self.outline.show(self.joint is not None)
+        if self.joint is not None:
+            self._advance(robot, state.T_world_tool, self.joint, step)
+            self.outline.write(link_poses(robot.chain, self.q), state.arm.gripper)
 
     def _advance(self, robot: Robot, T_world_tool: Array, joint: int, step: float) -> None:
         """One step; the ghost turns back at a joint limit and when its joint has moved far enough."""

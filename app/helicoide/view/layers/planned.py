@@ -55,7 +55,7 @@ class PlannedLayer(OptionalLayer):
 
     def __init__(self, stage: Stage, name: str) -> None:
         super().__init__(stage, name)
-        self.outline: Outline | None = None
+        self.outline = Outline(stage, name, SKY)
         self.way = Segments(stage, f"/{name}/way", SKY, 0.004)
         self.plan: Plan | None = None
         self.path: JointSpline | None = None
@@ -72,10 +72,7 @@ class PlannedLayer(OptionalLayer):
             self.plan, self.began = plan, view.time
             self.path = None if plan is None else JointSpline(plan.times, plan.q)
             self.way.write(np.zeros((0, 2, 3)) if plan is None else polyline(planned_way(view.state, plan)))
-        if self.outline is None and plan is not None:
-            self.outline = Outline(self.stage, self.name, SKY)
-        if self.outline is not None:
-            self.outline.show(plan is not None)
-        if self.outline is not None and self.path is not None:
+        self.outline.show(plan is not None)
+        if self.path is not None:
             s = min((view.time - self.began) % (self.path.duration + PAUSE), self.path.duration)
             self.outline.write(link_poses(self.stage.robot.chain, self.path.q(s)), view.state.arm.gripper)

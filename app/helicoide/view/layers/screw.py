@@ -6,14 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 import viser
-from numpy.typing import NDArray
 
 from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.readout import DrawnScrew
 from helicoide.text import Text
 from helicoide.view.colours import BLUE, GREY, VERMILION
+from helicoide.view.figures import polyline
 from helicoide.view.layers import Stage
+from helicoide.view.layers.highlight import seen
 from helicoide.view.window_view import View
 
 NAME = "screw"
@@ -62,23 +63,23 @@ class ScrewLayer:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the highlighted object while shown."""
-        if old is not None and old.seat is new.seat and _seen(old) == _seen(new):
+        if old is not None and old.seat is new.seat and seen(old) == seen(new):
             return
         state, nodes, shown = new.state, self.nodes, new.ready and new.seat.visible_layers[NAME]
         element = readout.element_of(state, new.seat.selected) if shown else None
         drawn = None if element is None else readout.drawn_screw(state, element)
         moves = drawn is not None and bool(drawn.screw.angle or drawn.screw.displacement)
-        turns = drawn is not None and bool(drawn.screw.angle) and _near(drawn, state.robot.reach)
-        for node, visible in ((nodes.helix, moves), (nodes.axis, moves), (nodes.arc, turns), (nodes.name, turns)):
+        near = moves and drawn is not None and _near(drawn, state.robot.reach)
+        turns = near and drawn is not None and bool(drawn.screw.angle)
+        for node, visible in ((nodes.helix, moves), (nodes.axis, near), (nodes.arc, turns), (nodes.name, turns)):
             if node.visible != visible:
                 node.visible = visible
         if drawn is not None and moves:
-            nodes.helix.points = _joined(drawn.helix)
+            nodes.helix.points = polyline(drawn.helix).astype(np.float32)
+        if drawn is not None and near:
             nodes.axis.points = axis_segment(drawn, state.robot.reach)[None].astype(np.float32)
         if drawn is not None and turns:
-            arc = drawn.arc()
-            spokes = np.array([[drawn.centre, arc[0]], [drawn.centre, arc[-1]]])
-            nodes.arc.points = np.concatenate([_joined(arc), spokes.astype(np.float32)])
+            nodes.arc.points = drawn.sector().astype(np.float32)
             nodes.name.position = drawn.arc(0.5)[-1]
 
 
@@ -90,14 +91,3 @@ def axis_segment(drawn: DrawnScrew, reach: float) -> Array:
 
 def _near(drawn: DrawnScrew, reach: float) -> bool:
     return bool(np.linalg.norm(drawn.centre - drawn.start) < FAR * reach)
-
-
-def _joined(points: Array) -> NDArray[np.float32]:
-    """Segments (k − 1, 2, 3) between successive points (k, 3), float32."""
-    return np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
-
-
-def _seen(view: View) -> tuple[object, ...]:
-    """The parts of the view on which the screw depends. Equal results: nothing has to be drawn."""
-    state = view.state
-    return id(state.arm.q), id(state.problem), id(state.request.command), view.ready

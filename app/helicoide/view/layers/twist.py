@@ -25,7 +25,7 @@ SAID = Text(
 )
 
 HALF, ARROW = 0.6, 0.25  # half the line, and the arrow on it, × size, m
-TURNS = Text(en="{speed:.2f} rad/s, {pitch:.0f} mm/rad", pt_BR="{speed:.2f} rad/s, {pitch:.0f} mm/rad")
+TURNS = Text(en="{speed:.2f} rad/s, {pitch:z.0f} mm/rad", pt_BR="{speed:.2f} rad/s, {pitch:z.0f} mm/rad")
 SLIDES = Text(en="{speed:.0f} mm/s", pt_BR="{speed:.0f} mm/s")
 
 

@@ -32,8 +32,8 @@ ARROW, HALF = 0.25, 0.6  # the longest arrow of each kind, and half the axis, ×
 LEAST = 1e-9  # N·m or N: what is smaller counts as zero
 FORCE = Text(en="Force on the end effector [N]", pt_BR="Força no efetuador [N]")
 MOMENT = Text(en="Moment on the end effector [N·m]", pt_BR="Momento no efetuador [N·m]")
-NEWTONS = Text(en="{value:.1f} N", pt_BR="{value:.1f} N")
-NEWTON_METRES = Text(en="{value:.1f} N·m", pt_BR="{value:.1f} N·m")
+NEWTONS = Text(en="{value:z.1f} N", pt_BR="{value:z.1f} N")
+NEWTON_METRES = Text(en="{value:z.1f} N·m", pt_BR="{value:z.1f} N·m")
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -102,9 +102,9 @@ class WrenchLayer(OptionalLayer):
         joints = moved_joints(state.robot)
         points, axes, largest = state.arm.poses[1:, :3, 3][joints], state.axes[joints], float(np.abs(torques).max())
         heads = points + length * (torques / max(largest, LEAST))[:, None] * axes
-        self.torques.write(np.stack([points, heads], axis=1)[np.abs(torques) > 1e-9 * max(largest, LEAST)])
+        self.torques.write(np.stack([points, heads], axis=1)[np.abs(torques) > LEAST])
         for joint, torque, head in zip(state.robot.variables, torques.tolist(), heads, strict=True):
-            texts.append((NEWTONS if joint.is_prismatic else NEWTON_METRES).format(value=torque + 0.0)[language])
+            texts.append((NEWTONS if joint.is_prismatic else NEWTON_METRES).format(value=torque)[language])
             places.append(head)
         self.names.write(texts, places)
 

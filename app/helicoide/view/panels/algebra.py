@@ -31,7 +31,6 @@ TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2
 ICON = Icon.MATH_FUNCTION
 
-NOTHING = Text(en="none", pt_BR="nenhum")
 INTRODUCTION: dict[ShownAlgebra, Text] = {
     "Cl(0,3,1)": Text(
         en="All values are multivectors of Cl(0,3,1): e₁, e₂ and e₃ square to −1, {null} to 0. Lengths are in metres.",
@@ -66,6 +65,7 @@ def rows(robot: Robot) -> list[Row]:
         term_rows(),
         code_rows(),
         notation_rows(),
+        console_rows(),
         playground_rows(),
         *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)])] if robot.panes else []),
         *(
@@ -73,7 +73,6 @@ def rows(robot: Robot) -> list[Row]:
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
-        console_rows(),
         stage_rows(),
     ]
 

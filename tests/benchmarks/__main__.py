@@ -20,6 +20,7 @@ NAMES = (
     "step",
     "planes",
     "layers",
+    "panels",
     "charts",
     "corpus",
 )

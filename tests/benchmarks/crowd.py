@@ -15,6 +15,10 @@ from time import perf_counter
 
 from tests.pages import Page, opened
 
+from helicoide.readout import matrices
+from helicoide.readout.signals import joints
+from helicoide.view import layers, panels
+
 ALGEBRA = 2  # the number of its tab
 
 
@@ -53,6 +57,18 @@ class Crowd:
         for page in self.pages:
             await page.tell(tab=ALGEBRA)
             await page.give("Highlight", "end-effector motor")
+
+    async def show_all(self) -> None:
+        """All layers, a line of the console, four charts and a matrix in every page; the pages spread over the tabs."""
+        for number, page in enumerate(self.pages):
+            for layer in layers.optional():
+                await page.give(layer.TITLE.en, True)
+            await page.give("expression", "p = M_tool >> point(0, 0, 0.1)")
+            await page.press("Enter line")
+            await page.give("Highlight", "end-effector motor")
+            await page.give("Signals", joints.TITLE.en)
+            await page.give("Matrix", matrices.TITLES["J"].en)
+            await page.tell(tab=number % len(panels.all_panels()))
 
     async def play(self, everybody: int = 0) -> None:
         """Play on the shared arm, or on everybody's."""

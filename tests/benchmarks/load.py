@@ -18,7 +18,7 @@ from tests.benchmarks.served import ADDRESS, ROOT
 
 TITLE = "Many windows on one arm, and many arms"
 WINDOWS, SECONDS, STOPS, DRAGS = (1, 5, 10, 30, 60), 8.0, 30, 40
-PRIVATE, JOINING = 30, 100
+PRIVATE, JOINING, WATCHERS = 30, 100, 10
 
 
 class Child:
@@ -139,6 +139,19 @@ def _joins(server: Child, port: str) -> None:
         verdict(f"{JOINING} joins in {joined:.1f} s: longest gap", 1000 * server.ask("tell")["gap"], 50.0, " ms")
 
 
+def _all_shown(server: Child, port: str) -> None:
+    with child("tests.benchmarks.crowd", port) as crowd:
+        crowd.ask("join", WATCHERS, 1)
+        crowd.ask("show_all")
+        crowd.ask("play", 0)
+        sleep(4.0)
+        span = _watched(server, crowd)
+        what = f"{WATCHERS} windows with all layers and every tab"
+        print(f"  {what}: {_said(span)}, {span.used / span.took:.0%} of a processor")
+        verdict(f"{what}: time of a tick over a hundredth of a second", 100 * span.took / span.ticks, 100 / 99, "×")
+        verdict(f"{what}: time of a frame", 1000 * span.took / span.frames, 1000 / 15, " ms")
+
+
 def _private(server: Child, port: str) -> None:
     with child("tests.benchmarks.crowd", port) as crowd:
         crowd.ask("join", PRIVATE, 3)
@@ -159,6 +172,6 @@ def run() -> None:
     with lab("tests.benchmarks.bare") as (server, port):
         for count in WINDOWS:
             _bare(server, port, count)
-    for part in (_joins, _private):
+    for part in (_joins, _all_shown, _private):
         with lab() as (server, port):
             part(server, port)

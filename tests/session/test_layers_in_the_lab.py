@@ -63,7 +63,7 @@ def test_a_ghost_moves_while_the_arm_rests_and_only_while_it_is_shown(lab: Lab, 
     show(lab, "null", True)
     assert eventually(lambda: rests(lab)), "with its orientation kept, the arm has no null space"
     lab.shared.workcell.ask(gate.keep_orientation(False))
-    assert eventually(lambda: frames_in(lab, 0.5) >= 3)
+    assert eventually(lambda: lab.shared.workcell.resting and frames_in(lab, 0.5) >= 3)
     assert frames_in(lab, 1.0) <= 30, "one frame at a time, about twenty a second"
     show(lab, "null", False)
     assert eventually(lambda: rests(lab))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -128,3 +129,33 @@ def test_an_example_sheet_is_opened_and_its_link_brings_it_back(lab: Lab, page: 
     press(page, "Open link")
     page.get_by_text("This is no link of a sheet").wait_for()
     assert lab.seats[0].sheet == sheet
+
+
+def test_an_address_of_a_sheet_opens_it_and_undo_brings_the_own_one_back(lab: Lab, page: Page) -> None:
+    """The row of the sheets gives the address; it is pasted into the address line, then into the row."""
+    enter(lab, page, "M_tool >> point(0, 0, 0.1)")
+    page.get_by_text("Sheets", exact=True).click()
+    row = page.get_by_label("link to this sheet")
+    expect(row).to_have_value(re.compile(rf"^http://127\.0\.0\.1:{lab.port}/.*#sheet=[\w-]+$"))
+    address, shared = row.input_value(), lab.seats[0].sheet
+    enter(lab, page, "L2")
+    own = lab.seats[0].sheet
+    page.goto(address)
+    until(page, lambda: len(lab.seats) == 1 and lab.seats[0].sheet == shared)
+    page.get_by_text("Undo brings yours back").wait_for()
+    assert page.evaluate("location.hash") == ""
+    press(page, "Undo: sheet changed")
+    until(page, lambda: lab.seats[0].sheet == own)
+    tab(page, "Algebra")
+    page.get_by_text("Console", exact=True).click()
+    expect(lines(page)).to_have_count(2)
+    page.get_by_text("Sheets", exact=True).click()
+    row.fill(address[:-5])
+    press(page, "Open link")
+    page.get_by_text("The sheet in the link is damaged").wait_for()
+    assert lab.seats[0].sheet == own
+    row.fill(address)
+    press(page, "Open link")
+    until(page, lambda: lab.seats[0].sheet == shared)
+    expect(lines(page)).to_have_count(1)
+    page.get_by_text("Sheets", exact=True).click()

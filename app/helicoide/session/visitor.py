@@ -168,11 +168,11 @@ class Visitor:
         self.reseat(lambda seat: replace(seat, sheet=sheet))
         self.window.tell(SHEET_REPLACED if own.lines and own != sheet else SHEET_OPENED)
 
-    def return_sheet(self, change: SheetReturn, said: Text) -> None:
+    def return_sheet(self, change: SheetReturn, notice: Text) -> None:
         """Undo or redo a change of the sheet, and say so."""
         sheet, history = change(self.place.seat.sheet, self.place.seat.sheet_history)
         self.reseat(lambda seat: replace(seat, sheet=sheet, sheet_history=history))
-        self.window.tell(said)
+        self.window.tell(notice)
 
     def finish_change(self) -> None:
         """Let the next change of the scene or of the sheet be one of its own."""

@@ -11,8 +11,8 @@ from helicoide.sheet.parts import MOST_CHARACTERS, MOST_LINES, NameSlider, Sheet
 from helicoide.text import HelicoideError, Text
 
 LARGEST, LEAST_WIDTH = 1e6, 1e-3  # of the ends of a slider, and of the distance between them
-# A text has at most `MOST_LINES` sliders with three numbers of up to 24 characters each, and as many hidden lines. Packed,
-# what cannot be compressed has up to four bytes for each character, and a third more in base64.
+# A text has at most `MOST_LINES` sliders with three numbers of up to 24 characters each, and as many hidden lines.
+# Packed, what cannot be compressed has up to four bytes for each character, and a third more in base64.
 LONGEST_TEXT, LONGEST_PACKED = MOST_CHARACTERS + 110 * MOST_LINES, 32_000
 HIDDEN = "hidden "
 _SLIDER = re.compile(r"slider ([A-Za-z][A-Za-z0-9_]*) = (\S+) from (\S+) to (\S+)")

@@ -139,12 +139,12 @@ def test_an_address_of_a_sheet_opens_it_and_undo_brings_the_own_one_back(lab: La
     page.goto("about:blank")
     page.goto(f"http://127.0.0.1:{lab.port}/?fixedDpr=0.25#{encode_link(shared)}")
     page.get_by_text("Undo brings yours back").wait_for()
+    expect(page.get_by_role("tab", name="Algebra")).to_have_attribute("aria-selected", "true")
     assert lab.seats[0].sheet == shared
     assert page.evaluate("location.hash") == ""
     press(page, "Undo: sheet changed")
     until(page, lambda: lab.seats[0].sheet == own)
     press(page, "Redo: sheet changed")
     until(page, lambda: lab.seats[0].sheet == shared)
-    tab(page, "Algebra")
     page.get_by_text("Console", exact=True).click()
     expect(lines(page)).to_have_count(1)

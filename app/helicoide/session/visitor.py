@@ -24,7 +24,7 @@ from helicoide.text import HelicoideError, Text
 from helicoide.view.channel import ControlChannel, Notice, share_link
 from helicoide.view.link_rows import with_linked
 from helicoide.view.requests import ShowTab
-from helicoide.view.share import BAD_NUMBERS, SharedView, decode_link
+from helicoide.view.share import BAD_NUMBERS, SharedView, console_tab, decode_link
 from helicoide.view.window import CLEARED, Window
 from helicoide.view.window_view import View
 
@@ -148,6 +148,7 @@ class Visitor:
         if isinstance(shared, SharedView):
             self._show(shared)
         else:
+            self.window.act(ShowTab(console_tab()))
             self._open_sheet(shared)
 
     def _show(self, shared: SharedView) -> None:

@@ -101,6 +101,11 @@ def decode_link(text: str) -> SharedView | Sheet:
     return SharedView(posture, (camera[:3], camera[3:]), _tab_names().index(parts["tab"]), sheet)
 
 
+def console_tab() -> int:
+    """The number of the tab that has the console."""
+    return _tab_names().index("algebra")
+
+
 def _parts(text: str) -> dict[str, str]:
     """The parts of a fragment by their names, in their order. Raises HelicoideError if it has none, or one twice."""
     if len(text) > LONGEST_LINK:

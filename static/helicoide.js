@@ -9,7 +9,7 @@
   const BEAT_MS = 1000;
   const SILENT_BEATS = 2;
   const BEATS_KEPT = 30;
-  const LONGEST_LINK = 4000; // a longer one is cut one character after that, and refused
+  const LONGEST_LINK = 36000; // a longer one is cut one character after that, and refused
   const SETTLED_MS = 120; // viser delays the last value of a slider by up to 50 ms
   const SEAT = "helicoide-seat";
   const OPEN = '[role="dialog"], [role="listbox"]';
@@ -89,6 +89,7 @@
       languages: [...navigator.languages],
       dark: matchMedia("(prefers-color-scheme: dark)").matches,
       link: window.helicoideLink.slice(0, LONGEST_LINK + 1),
+      address: location.origin + location.pathname + location.search,
     });
   }
 

@@ -5,23 +5,24 @@ from __future__ import annotations
 import zlib
 from base64 import urlsafe_b64encode
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide.sheet import (
-    LINK,
     LONGEST_LINE,
+    LONGEST_PACKED,
     MOST_CHARACTERS,
     MOST_LINES,
     NameSlider,
     Sheet,
     SheetLine,
-    sheet_link,
+    packed_sheet,
     sheet_of_file,
-    sheet_of_link,
     sheet_of_text,
     sheet_text,
+    unpacked_sheet,
 )
 from helicoide.text import HelicoideError
 
@@ -47,30 +48,55 @@ SHEETS = st.builds(
 def test_a_sheet_comes_back_from_its_text_its_file_and_its_link(sheet: Sheet) -> None:
     assert sheet_of_text(sheet_text(sheet)) == sheet
     assert sheet_of_file(sheet_text(sheet).encode()) == sheet
-    assert sheet_of_link(sheet_link(sheet)) == sheet
-    assert sheet_of_link(f"http://127.0.0.1:8080/#{sheet_link(sheet)}") == sheet
+    assert unpacked_sheet(packed_sheet(sheet)) == sheet
 
 
 def test_a_link_needs_no_escapes_and_is_short() -> None:
     sheet = Sheet(tuple(SheetLine(f"p{k} = point({k}, 0, 0)") for k in range(30)))
-    link = sheet_link(sheet)
-    assert set(link.removeprefix(LINK)) <= set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_")
-    assert len(link) < len(sheet_text(sheet)) / 2
+    packed = packed_sheet(sheet)
+    assert set(packed) <= set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_")
+    assert len(packed) < len(sheet_text(sheet)) / 2
+
+
+def test_the_longest_sheet_fits() -> None:
+    """As many characters as a sheet may have, of four bytes each and in no order, all lines hidden, long numbers."""
+    rng = np.random.default_rng(0)
+    names = [f"a{k}" for k in range(MOST_LINES)]
+    left = MOST_CHARACTERS - sum(map(len, names))
+    words = "".join(map(chr, rng.integers(0x20000, 0x2A6D0, left)))
+    size = left // MOST_LINES + 1
+    lines = tuple(SheetLine(words[k : k + size], False) for k in range(0, left, size))
+    ends = rng.uniform(1e-300, 2e-300, (MOST_LINES, 2))
+    sliders = tuple((name, NameSlider(float(a), -float(b), 1e6)) for name, (a, b) in zip(names, ends, strict=True))
+    sheet = Sheet(lines, sliders)
+    assert sum(len(line.text) for line in lines) == left
+    packed = packed_sheet(sheet)
+    assert len(packed) <= LONGEST_PACKED
+    assert unpacked_sheet(packed) == sheet
+    assert sheet_of_text(sheet_text(sheet)) == sheet
+    most = len(zlib.compress(bytes(4 * MOST_CHARACTERS + 110 * MOST_LINES), 0))  # nothing compressed at all
+    assert most * 4 / 3 <= LONGEST_PACKED
+
+
+def test_names_of_sliders_count() -> None:
+    for names in (["a" * (LONGEST_LINE + 1)], [f"a{k}" * 100 for k in range(20)]):
+        with pytest.raises(HelicoideError):
+            Sheet(sliders=tuple((name, NameSlider()) for name in names))
 
 
 def bomb() -> str:
-    return LINK + urlsafe_b64encode(zlib.compress(b"1\n" * 50_000_000, 9)).decode()[: 4 * MOST_CHARACTERS]
+    return urlsafe_b64encode(zlib.compress(b"1\n" * 10_000_000, 9)).decode().rstrip("=")
 
 
 @pytest.mark.parametrize(
-    "link",
-    ["", "sheet=", "sheet=!!!", "sheet=AAAA", "nothing", "sheet=" + "A" * 100_000, "sheet=é", bomb(),
-     sheet_link(Sheet((SheetLine("e1"),)))[:-4], LINK + urlsafe_b64encode(zlib.compress(b"\xff\xfe")).decode()],
+    "packed",
+    ["", "!!!", "AAAA", "nothing", "A" * 100_000, "é", bomb(), packed_sheet(Sheet((SheetLine("e1"),)))[:-4],
+     urlsafe_b64encode(zlib.compress(b"\xff\xfe")).decode(), urlsafe_b64encode(zlib.compress(b"e1") + b"!").decode()],
     ids=range(10),
 )  # fmt: skip
-def test_a_hostile_link_is_refused_in_words(link: str) -> None:
+def test_what_is_no_packed_sheet_is_refused_in_words(packed: str) -> None:
     with pytest.raises(HelicoideError) as refused:
-        sheet_of_link(link)
+        unpacked_sheet(packed)
     assert refused.value.text.en
     assert refused.value.text.pt_BR
 

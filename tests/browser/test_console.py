@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -13,8 +14,9 @@ from helicoide import gate
 from helicoide.console import sheet_results
 from helicoide.geometry import rigid
 from helicoide.geometry.multivector import Multivector
-from helicoide.sheet import Sheet
+from helicoide.sheet import NameSlider, Sheet, SheetLine
 from helicoide.text import number_text
+from helicoide.view.share import encode_link
 
 EXPRESSIONS = ("p = M_tool >> point(0, 0, 0.1)", "ell = join(elbow, tool)", "distance(tool, ceiling)")
 NODE = "(path) => window.__viserMutable.nodeRefFromName[path]?.position.toArray() ?? null"
@@ -116,7 +118,7 @@ def test_an_example_sheet_is_opened_and_its_link_brings_it_back(lab: Lab, page: 
     expect(lines(page)).to_have_count(6)
     expect(lines(page).nth(3)).to_contain_text("= 2")
     sheet, link = lab.seats[0].sheet, page.get_by_label("link to this sheet")
-    until(page, lambda: link.input_value().startswith("sheet="))
+    expect(link).to_have_value(re.compile(rf"^http://127\.0\.0\.1:{lab.port}/.*#sheet=[\w-]+$"))
     shared = link.input_value()
     press(page, "Empty sheet")
     expect(lines(page)).to_have_count(0)
@@ -124,7 +126,25 @@ def test_an_example_sheet_is_opened_and_its_link_brings_it_back(lab: Lab, page: 
     press(page, "Open link")
     expect(lines(page)).to_have_count(6)
     assert lab.seats[0].sheet == sheet
-    link.fill("sheet=damaged")
+    link.fill(shared[:-5])
     press(page, "Open link")
-    page.get_by_text("This is no link of a sheet").wait_for()
+    page.get_by_text("The sheet in the link is damaged").wait_for()
     assert lab.seats[0].sheet == sheet
+
+
+def test_an_address_of_a_sheet_opens_it_and_undo_brings_the_own_one_back(lab: Lab, page: Page) -> None:
+    shared = Sheet((SheetLine("p = M_tool >> point(a, 0, 0.1)"),), (("a", NameSlider(0.1, 0.0, 1.0)),))
+    enter(lab, page, "L2")
+    own = lab.seats[0].sheet
+    page.goto("about:blank")
+    page.goto(f"http://127.0.0.1:{lab.port}/?fixedDpr=0.25#{encode_link(shared)}")
+    page.get_by_text("Undo brings yours back").wait_for()
+    expect(page.get_by_role("tab", name="Algebra")).to_have_attribute("aria-selected", "true")
+    assert lab.seats[0].sheet == shared
+    assert page.evaluate("location.hash") == ""
+    press(page, "Undo: sheet changed")
+    until(page, lambda: lab.seats[0].sheet == own)
+    press(page, "Redo: sheet changed")
+    until(page, lambda: lab.seats[0].sheet == shared)
+    page.get_by_text("Console", exact=True).click()
+    expect(lines(page)).to_have_count(1)

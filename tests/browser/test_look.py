@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -11,6 +13,7 @@ from tests.browser.lab import Lab, grab, press, tab, until
 from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import HoldPosition
+from helicoide.sheet import NameSlider, Sheet, SheetHistory, SheetLine
 
 CAMERA = "() => { const c = window.__viserMutable.camera; return [...c.position.toArray()]; }"
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
@@ -89,6 +92,10 @@ def test_a_link_shows_its_view_in_another_window_and_moves_nothing(lab: Lab, pag
     there = eye(page)
     lab.post(gate.set_joint(0, 0.3))
     until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-3)
+    sheet = Sheet((SheetLine("a * L1"),), (("a", NameSlider(0.5, 0.0, 1.0)),))
+    (visitor,) = lab.session.visitors.values()
+    lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: replace(seat, sheet=sheet))
+    page.get_by_role("button", name="Undo: sheet changed").wait_for()
     press(page, "Copy link to this view")
     page.wait_for_function("location.hash.endsWith('&end=1')")
     fragment = page.evaluate("location.hash")
@@ -99,6 +106,7 @@ def test_a_link_shows_its_view_in_another_window_and_moves_nothing(lab: Lab, pag
         expect(other.get_by_role("tab", name="Álgebra")).to_have_attribute("aria-selected", "true")
         until(other, lambda: bool(abs(eye(other) - there).max() < 1e-3))
         other.get_by_role("button", name="Ir à postura do link").wait_for()
+        assert lab.seats[-1].sheet == sheet
         until(other, lambda: other.evaluate(SHOWN, f"/linked/{lab.shapes[1].name}"))
         assert lab.state.arm.q is q
         assert lab.state.request.command == HoldPosition()
@@ -107,6 +115,8 @@ def test_a_link_shows_its_view_in_another_window_and_moves_nothing(lab: Lab, pag
         expect(other.get_by_role("button", name="Ir à postura do link")).to_have_count(0)
         assert other.evaluate("location.hash") == ""
     page.evaluate("window.helicoideShare('')")
+    emptied = {"sheet": Sheet(), "sheet_history": SheetHistory()}
+    lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: replace(seat, **emptied))
 
 
 def test_a_dragged_plane_is_undone_by_keyboard_but_not_in_a_text_field(lab: Lab, page: Page) -> None:

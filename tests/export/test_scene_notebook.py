@@ -19,11 +19,13 @@ from helicoide.arrays import frozen
 from helicoide.console.scene_names import scene_names
 from helicoide.export.notebook import NotebookCell, notebook_file
 from helicoide.export.scene_notebook import scene_notebook
+from helicoide.foresight import advance_with_search
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load_robot
 from helicoide.state import State, initial_state, with_joints
 from helicoide.text import LANGUAGES, Text, untranslated
 
+RCM_ARM = "dia10"
 COMPARED = """
 import json
 print(json.dumps({
@@ -34,6 +36,19 @@ print(json.dumps({
     "instruments": here.instruments,
     "method": here.state.request.controller.method,
     "damping": here.state.request.controller.options("damped").damping,
+    "scene": {
+        "normals": here.state.problem.planes.normals.tolist(),
+        "offsets": here.state.problem.planes.offsets.tolist(),
+        "ends": here.state.problem.obstacles.ends.tolist(),
+        "radii": here.state.problem.obstacles.radii.tolist(),
+        "zones": [here.state.problem.zones.critical, here.state.problem.zones.warning],
+        "entry": None if here.state.problem.entry is None else here.state.problem.entry.point.tolist(),
+        "gains": here.state.request.controller.gains,
+        "gain": here.state.request.controller.options("guarded").gain,
+        "objective": (second := here.state.request.controller.secondary)
+        and [second.objective, second.weight, second.as_row, second.adapts],
+        "steps": [here.after(0.01 * k).q.tolist() for k in (1, 2, 3)],
+    },
     "target": None if "target" not in globals() else target,
 }))
 """
@@ -81,6 +96,50 @@ def test_the_values_are_those_of_the_state(robot: str, seconds: float, tmp_path:
 def test_lengths_that_were_changed_come_along(tmp_path: Path) -> None:
     state = initial_state(load_robot("planar3r", settings=("l1=1500",)))
     np.testing.assert_allclose(values_of(state, tmp_path)["T"], state.T_world_tool, atol=1e-12)
+
+
+def scene(robot: str, method: str) -> State:
+    """An arm with a box, two spheres, other distances and gains, an objective, and a target."""
+    state = initial_state(load_robot(robot))
+    T = with_joints(state, state.arm.q + 0.15).T_world_tool
+    updates = [
+        gate.add_obstacle(),
+        gate.set_zones(0.078, 0.12),
+        gate.set_option("guarded", "gain", 9.5),
+        gate.choose_method(method),
+        *(gate.set_gain(k, 3.25 + k) for k in range(4)),
+        gate.choose_objective("manipulability"),
+        gate.weigh_objective(2.5),
+        gate.set_target(T[:3, 3], rotation.from_matrix(T[:3, :3])),
+    ]
+    if "rcm" in state.robot.frames:
+        updates.insert(0, gate.enforce_entry(True))
+    for update in updates:
+        state = update(replace(state, notice=None))
+        assert state.notice is None
+    return state
+
+
+@pytest.mark.parametrize(("robot", "method"), [("movemaster", "damped"), ("puma560", "guarded"), (RCM_ARM, "guarded")])
+def test_what_it_makes_again_is_the_scene_and_steps_alike(robot: str, method: str, tmp_path: Path) -> None:
+    state = scene(robot, method)
+    found = values_of(state, tmp_path)["scene"]
+    problem, controller = state.problem, state.request.controller
+    np.testing.assert_allclose(np.reshape(found["normals"], (-1, 3)), problem.planes.normals, atol=1e-12)
+    np.testing.assert_allclose(found["offsets"], problem.planes.offsets, atol=1e-12)
+    np.testing.assert_array_equal(found["ends"], problem.obstacles.ends)
+    np.testing.assert_array_equal(found["radii"], problem.obstacles.radii)
+    assert len(found["radii"]) == 1
+    assert found["zones"] == [problem.zones.critical, problem.zones.warning]
+    assert found["entry"] == (None if problem.entry is None else problem.entry.point.tolist())
+    assert (found["entry"] is not None) == (robot == RCM_ARM)
+    assert found["gains"] == list(controller.gains)
+    assert found["gain"] == controller.options("guarded").gain == 9.5
+    assert found["objective"] == ["manipulability", 2.5, False, False]
+    for step in found["steps"]:
+        state = advance_with_search(state, 0.01)
+        np.testing.assert_allclose(step, state.arm.q, rtol=0, atol=1e-10)
+    assert state.arm.moving
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -9,11 +9,17 @@ import numpy as np
 import pytest
 from tests.session.labs import eventually, running, state, window
 
+from helicoide import gate
 from helicoide.session.lab import Lab
-from helicoide.session.visitor import Visitor
+from helicoide.session.visitor import SHEET_OPENED, SHEET_REPLACED, Visitor
+from helicoide.sheet import NameSlider, Sheet, SheetLine, packed_sheet
+from helicoide.text import Text
 from helicoide.view import requests
+from helicoide.view.share import encode_link
 
 HERE = "v=1&robot=movemaster&q=0.3,0.5,-1.2,-0.2,0&camera=1,2,3,0,0,0&tab=algebra&end=1"
+SHEET = Sheet((SheetLine("e1"), SheetLine("a + 1")), (("a", NameSlider(0.5, 0.0, 1.0)),))
+OWN = Sheet((SheetLine("L1"),))
 ELSEWHERE = "v=1&robot=planar2r&q=0.3,0.5&camera=1,2,3,0,0,0&tab=robot&end=1"
 
 
@@ -56,7 +62,17 @@ def test_an_opened_link_moves_the_camera_and_no_arm(lab: Lab, visitor: Visitor) 
 
 
 @pytest.mark.parametrize(
-    "text", ["", HERE[:-7], HERE.replace("movemaster", "hal9000"), HERE.replace("0.3,", ""), "x" * 3000]
+    "text",
+    [
+        "",
+        HERE[:-7],
+        HERE.replace("movemaster", "hal9000"),
+        HERE.replace("0.3,", ""),
+        "x" * 3000,
+        encode_link(SHEET)[:-3],
+        HERE.replace("&end", "&sheet=eJx&end"),
+        HERE.replace("0.3,", "").replace("&end", f"&sheet={packed_sheet(SHEET)}&end"),
+    ],
 )
 def test_a_link_that_cannot_be_read_is_said_and_changes_nothing(lab: Lab, visitor: Visitor, text: str) -> None:
     said: list[object] = []
@@ -121,3 +137,81 @@ def test_a_link_about_the_present_posture_asks_nothing_and_ends_an_older_one(lab
     open_link(lab, visitor, HERE.replace("0.3,0.5,-1.2,-0.2,0", q))
     assert eventually(lambda: bool(np.allclose(visitor.window.client.camera.position, [1, 2, 3])))
     assert visitor.place.seat.linked is None
+
+
+def test_a_sheet_replaces_that_of_the_seat_and_undo_brings_it_back(lab: Lab, visitor: Visitor) -> None:
+    said: list[Text] = []
+    visitor.window.tell = said.append  # type: ignore[method-assign]
+    act(lab, visitor, requests.ForSeat(lambda seat: replace(seat, sheet=OWN)))
+    assert eventually(lambda: visitor.place.seat.sheet == OWN)
+    act(lab, visitor, requests.OpenLink(f" http://127.0.0.1:8080/?x=1#{encode_link(SHEET)}\n"))
+    assert eventually(lambda: visitor.place.seat.sheet == SHEET)
+    assert eventually(lambda: said == [SHEET_REPLACED])
+    change = visitor.view(True).sheet_undo
+    assert change is not None
+    assert change.other == OWN
+    act(lab, visitor, requests.Undo())
+    assert eventually(lambda: visitor.place.seat.sheet == OWN)
+    act(lab, visitor, requests.Redo())
+    assert eventually(lambda: visitor.place.seat.sheet == SHEET)
+    assert [str(text["en"]) for text in said[1:]] == ["Undone: sheet changed.", "Redone: sheet changed."]
+
+
+def test_a_view_brings_its_sheet_and_one_without_keeps_the_own_one(lab: Lab, visitor: Visitor) -> None:
+    said: list[Text] = []
+    visitor.window.tell = said.append  # type: ignore[method-assign]
+    open_link(lab, visitor, HERE.replace("&end", f"&sheet={packed_sheet(SHEET)}&end"))
+    assert eventually(lambda: visitor.place.seat.sheet == SHEET)
+    assert eventually(lambda: said == [SHEET_OPENED])
+    open_link(lab, visitor, ELSEWHERE)
+    assert eventually(lambda: (linked := visitor.place.seat.linked) is not None and linked.robot == "planar2r")
+    assert visitor.place.seat.sheet == SHEET
+
+
+def test_undo_takes_the_newest_change_of_sheet_and_scene(lab: Lab, visitor: Visitor) -> None:
+    """The sheet, a plane, the sheet again: they are undone from the newest one, and redone in their order."""
+    zones = state(lab).problem.zones
+    depth = len(state(lab).history.undo)
+    sheets = [Sheet((SheetLine(text),)) for text in ("1", "2")]
+
+    def enter(sheet: Sheet) -> None:
+        act(lab, visitor, requests.ForSeat(lambda seat: replace(seat, sheet=sheet)))
+        assert eventually(lambda: visitor.place.seat.sheet == sheet)
+
+    enter(sheets[0])
+    act(lab, visitor, requests.ForArm(gate.set_zones(zones.critical, zones.warning + 0.02)))
+    assert eventually(lambda: len(state(lab).history.undo) == depth + 1)
+    enter(sheets[1])
+    wider = state(lab).problem.zones
+    act(lab, visitor, requests.Undo())
+    assert eventually(lambda: visitor.place.seat.sheet == sheets[0])
+    assert state(lab).problem.zones == wider
+    act(lab, visitor, requests.Undo())
+    assert eventually(lambda: state(lab).problem.zones == zones)
+    assert visitor.place.seat.sheet == sheets[0]
+    act(lab, visitor, requests.Undo())
+    assert eventually(lambda: visitor.place.seat.sheet == Sheet())
+    for done in (
+        lambda: visitor.place.seat.sheet == sheets[0],
+        lambda: state(lab).problem.zones == wider,
+        lambda: visitor.place.seat.sheet == sheets[1],
+    ):
+        act(lab, visitor, requests.Redo())
+        assert eventually(done)
+
+
+def test_a_slider_that_is_held_is_one_change(lab: Lab, visitor: Visitor) -> None:
+    def move(value: float) -> None:
+        slider = NameSlider(value, 0.0, 1.0)
+        act(lab, visitor, requests.ForSeat(lambda seat: replace(seat, sheet=seat.sheet.with_slider("a", slider))))
+        assert eventually(lambda: visitor.place.seat.sheet.slider("a") == slider)
+
+    for value in (0.1, 0.2, 0.3):
+        move(value)
+    assert len(visitor.place.seat.sheet_history.undo) == 1
+    lab.loop.call_soon_threadsafe(visitor.finish_change)
+    assert eventually(lambda: not visitor.place.seat.sheet_history.unfinished)
+    move(0.9)
+    assert len(visitor.place.seat.sheet_history.undo) == 2
+    act(lab, visitor, requests.Undo())
+    assert eventually(lambda: visitor.place.seat.sheet.slider("a").value == 0.3)

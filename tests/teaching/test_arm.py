@@ -91,6 +91,19 @@ def test_planes_of_ones_own_and_a_target(movemaster: TeachingArm) -> None:
     assert here.instruments["e_p"] == 0.0
 
 
+def test_an_arm_among_obstacles_goes_to_its_target(movemaster: TeachingArm) -> None:
+    here = movemaster.at("ready")
+    ball = helicoide.point(0.5, 0.5, 0.5)
+    scene = here.among([(ball, 0.05), ((0.5, -0.5, 0.5), 0.07)], zones=(0.08, 0.12))
+    np.testing.assert_allclose(scene.state.problem.obstacles.ends[:, 0], [[0.5, 0.5, 0.5], [0.5, -0.5, 0.5]])
+    assert here.state.problem.obstacles.radii.size == 0
+    there = scene.towards(helicoide.translator((0, 0, 0.03)) * here.motor, "damped").with_gains(4, 4, 4, 4)
+    assert scene.among().state.problem.obstacles.radii.size == 0
+    assert there.after(4).instruments["e_p"] < 0.5 < there.after(0.1).instruments["e_p"]
+    np.testing.assert_array_equal(there.after(0).q, here.q)
+    np.testing.assert_array_equal(there.after(0.05).after(0.05).q, there.after(0.1).q)
+
+
 def test_lengths_are_parameters() -> None:
     arm = helicoide.robot("planar3r", "en", parameters={"l1": 1500})
     assert arm.robot.parameters["l1"] == 1.5
@@ -114,6 +127,20 @@ def test_tables_follow_the_language() -> None:
         (lambda arm: arm.at("ready").towards(np.full((4, 4), np.inf)), "4 × 4 pose"),
         (lambda arm: arm.at("ready").towards(np.eye(4), "magic"), "there is: damped"),
         (lambda arm: arm.at("ready").towards(np.eye(4), "damped", {"x": 1}), "settings: "),
+        (lambda arm: arm.at("ready").among([((0, 0, np.nan), 0.1)]), "3 finite numbers"),
+        (lambda arm: arm.at("ready").among([((0, 0, 1), -0.1)]), "radius is positive"),
+        (lambda arm: arm.at("ready").among([((0, 0, 1), np.inf)]), "1 finite numbers"),
+        (lambda arm: arm.at("ready").among(entry=(0, 0, 1)), "no frame rcm"),
+        (lambda arm: arm.at("ready").among(zones=(0.01, 0.02)), "safety distance"),
+        (lambda arm: arm.at("ready").among(zones=(0.01, np.nan)), "finite"),
+        (lambda arm: arm.at("ready").with_gains(1, 2, 3, 1e9), "Gains 1 to 4"),
+        (lambda arm: arm.at("ready").with_gains(1, 2, 3, np.nan), "finite"),
+        (lambda arm: arm.at("ready").with_objective("magic"), "manipulability"),
+        (lambda arm: arm.at("ready").with_objective("manipulability", {"x": 1}), "settings"),
+        (lambda arm: arm.at("ready").with_objective("manipulability", weight=-1), "weight"),
+        (lambda arm: arm.at("ready").after(np.nan), "finite"),
+        (lambda arm: arm.at("ready").after(1e9), "600 seconds"),
+        (lambda arm: arm.at("ready").after(-1), "600 seconds"),
         (lambda arm: arm.inverse(np.eye(3)), "4 × 4 pose"),
         (lambda arm: arm.inverse(np.eye(4), by="magic"), "Forms for movemaster"),
         (lambda arm: helicoide.robot("magic"), "movemaster"),

@@ -162,6 +162,8 @@ def test_a_stop_is_told_with_its_window(
         ({"seat": 3, "languages": ["de", "en-GB", "pt"]}, Hello(None, "en")),
         ({"languages": [7, "de"]}, Hello(None, None)),
         ({"languages": "pt"}, Hello(None, None)),
+        ({"link": "sheet=a", "address": "http://a/"}, Hello(None, None, False, "sheet=a", "http://a/")),
+        ({"link": 1, "address": ["http://a/"]}, Hello(None, None)),
     ],
 )
 def test_a_page_says_its_seat_and_its_languages(

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.command import FollowPath, MoveToJoints, MoveToPose
+from helicoide.confinement import Zones
 from helicoide.console.scene_names import plane_names
 from helicoide.content import content_folders
 from helicoide.export.notebook import NotebookCell, notebook_file
 from helicoide.export.study_table import localized_number
+from helicoide.ik import objectives
+from helicoide.ik.controller import GUARDED, Controller
 from helicoide.ik.method import settings
 from helicoide.ik.methods import named
 from helicoide.kinematics.library import packaged_urdfs
@@ -25,10 +29,27 @@ HEAD = Text(
     pt_BR="# {robot}: uma cena do Helicoide\n\nAs células refazem a cena com o pacote instalado e calculam os seus "
     "números. Comprimentos em metros, ângulos em radianos. O laboratório tem uma página que descreve os nomes.",
 )
-POSTURE = Text(en="## Posture and planes", pt_BR="## Postura e planos")
+POSTURE = Text(
+    en="## Posture, planes and what else is there\n\nWaypoints, point clouds, a ball and a second arm are left out.",
+    pt_BR="## Postura, planos e o que mais há na cena\n\nPontos, nuvens de pontos, uma bola e um segundo braço não "
+    "vêm junto.",
+)
 TARGET = Text(
-    en="## Target\n\nThe method is “{method}”.",
-    pt_BR="## Alvo\n\nO método é “{method}”.",
+    en="## Target\n\nThe method is “{method}”, with its settings and gains. What it remembers of the motion begins "
+    "anew.",
+    pt_BR="## Alvo\n\nO método é “{method}”, com os seus ajustes e ganhos. O que ele guarda do movimento começa de "
+    "novo.",
+)
+POSE_ALONE = Text(
+    en="In the lab the arm followed a path or moved its joints. Here the target is the pose that this asked for when "
+    "the notebook was saved.",
+    pt_BR="No laboratório o braço seguia uma trajetória ou movia as juntas. Aqui o alvo é a pose que isso pedia quando "
+    "o caderno foi salvo.",
+)
+STEP = Text(
+    en="## The next step\n\nThe joint values 10 ms later, under limits, planes and obstacles as in the lab.",
+    pt_BR="## O próximo passo\n\nOs valores das juntas 10 ms depois, com limites, planos e obstáculos como no "
+    "laboratório.",
 )
 FORWARD = Text(en="## Forward kinematics in three ways", pt_BR="## Cinemática direta por três caminhos")
 ALGEBRA = Text(en="## The multivectors of the scene", pt_BR="## Os multivetores da cena")
@@ -47,7 +68,10 @@ IN_LAB = "\n\n```python\nlab = helicoide.lab(arm)\nlab.q = q\nlab\n```"
 
 
 def scene_notebook(state: State, language: Language) -> bytes:
-    """The file of a notebook with robot, posture, planes, target and method of a state, and its numbers."""
+    """The file of a notebook with the scene of a state, its target and its method, and its numbers.
+
+    The scene is robot, posture, planes, obstacles, entry point and distances; the method has its settings and gains.
+    """
     return notebook_file(_cells(state, language))
 
 
@@ -62,10 +86,13 @@ def _cells(state: State, language: Language) -> Iterator[NotebookCell]:
     yield words(HEAD.format(robot=state.robot.title))
     yield code("import helicoide", "", f"arm = {_robot(state.robot, language)}", "arm")
     yield words(POSTURE)
-    yield code(f"q = {state.arm.q.tolist()}", *_planes(state), "here = arm.at(q, planes)", "here")
+    yield code(f"q = {state.arm.q.tolist()}", *_planes(state), "here = arm.at(q, planes)", *_around(state), "here")
     if aims:
-        yield words(TARGET.format(method=named(state.request.controller.method).TITLE))
-        yield code(f"target = {_matrix(readout.target_pose(state))}", _towards(state), "here.instruments")
+        more = "" if isinstance(state.request.command, MoveToPose) else f" {POSE_ALONE[language]}"
+        yield words(TARGET.format(method=named(state.request.controller.method).TITLE), more)
+        yield code(f"target = {_matrix(readout.target_pose(state))}", *_towards(state), "here.instruments")
+        yield words(STEP)
+        yield code("here.after(0.01).q")
     yield words(FORWARD)
     yield code("here.forward")
     yield words(ALGEBRA)
@@ -103,17 +130,45 @@ def _planes(state: State) -> Iterator[str]:
     yield "}"
 
 
-def _towards(state: State) -> str:
-    """The line that adds target, method and changed options to `here`."""
-    controller = state.request.controller
-    default, chosen = named(controller.method).Options(), controller.options(controller.method)
-    options = {
+def _around(state: State) -> Iterator[str]:
+    """The line that adds obstacles, entry point and distances to `here`, where there are any or they were changed."""
+    problem, given = state.problem, list[str]()
+    if len(problem.obstacles.radii):
+        spheres = zip(problem.obstacles.ends[:, 0].tolist(), problem.obstacles.radii.tolist(), strict=True)
+        given.append(f"obstacles={list(spheres)!r}")
+    if problem.entry is not None:
+        given.append(f"entry={problem.entry.point.tolist()}")
+    if problem.zones != Zones():
+        given.append(f"zones={(problem.zones.critical, problem.zones.warning)!r}")
+    if given:
+        yield f"here = here.among({', '.join(given)})"
+
+
+def _towards(state: State) -> Iterator[str]:
+    """The lines that add target, method, settings, gains and secondary objective to `here`.
+
+    The settings of the guarded step count with every method, as it limits them all.
+    """
+    controller, orientation = state.request.controller, state.request.with_orientation
+    for method in dict.fromkeys((GUARDED, controller.method)):
+        options = _changed_settings(controller.options(method), named(method).Options())
+        if options or method == controller.method:
+            yield f"here = here.towards(target, {method!r}, {options!r}, orientation={orientation})"
+    if controller.gains != Controller().gains:
+        yield f"here = here.with_gains{controller.gains!r}"
+    if (second := controller.secondary) is not None:
+        options = _changed_settings(second.options, objectives.named(second.objective).Options())
+        asked = f"weight={second.weight!r}, as_row={second.as_row}, adapts={second.adapts}"
+        yield f"here = here.with_objective({second.objective!r}, {options!r}, {asked})"
+
+
+def _changed_settings(chosen: Any, default: Any) -> dict[str, object]:
+    """The settings that differ from their defaults, by name."""
+    return {
         name: getattr(chosen, name)
         for name in settings(type(chosen))
         if getattr(chosen, name) != getattr(default, name)
     }
-    orientation = state.request.with_orientation
-    return f"here = here.towards(target, {controller.method!r}, {options!r}, orientation={orientation})"
 
 
 def _matrix(T: Array) -> str:

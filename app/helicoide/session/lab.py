@@ -184,22 +184,22 @@ class Lab:
             return
         place = self.seats.take(hello.seat, self.language or hello.language or "en", hello.dark)
         line.tell(seat=place.seat.token)
-        await self._furnish(client, line, place, hello.link)
+        await self._furnish(client, line, place, hello)
 
-    async def _furnish(self, client: Client, line: WindowChannel, place: Place, link: str) -> None:
+    async def _furnish(self, client: Client, line: WindowChannel, place: Place, hello: Hello) -> None:
         bay = self.bays.of(place)
         window = Window(
             client, line.link, View(bay.workcell.state, place.seat, place.study_panel, self.ready), self.act
         )
-        visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
+        visitor = self.visitors[client.client_id] = Visitor(window, place, bay, hello.address)
         if not self.ready:
             visitor.say(self.control, self.said)
         self.recording.enter(place)
         await window.furnish(visitor.view(self.ready))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
-        if link and not window.gone:
-            visitor.open_link(link)
+        if hello.link and not window.gone:
+            visitor.open_link(hello.link)
 
     async def _leave(self, client: Client) -> None:
         """A window closes."""
@@ -276,7 +276,7 @@ class Lab:
     def _pressed(self, key: str) -> None:
         """A pointer or a key goes down in a window: what it changes is a change of its own, for undo."""
         if (visitor := self._with(key)) is not None:
-            visitor.bay.finish_change()
+            visitor.finish_change()
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab of a window is in front."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from time import monotonic
 
@@ -18,16 +18,26 @@ from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
+from helicoide.sheet import Sheet, SheetHistory
 from helicoide.state import Drag
 from helicoide.text import HelicoideError, Text
 from helicoide.view.channel import ControlChannel, Notice, share_link
 from helicoide.view.link_rows import with_linked
 from helicoide.view.requests import ShowTab
-from helicoide.view.share import BAD_NUMBERS, decode_link
+from helicoide.view.share import BAD_NUMBERS, SharedView, console_tab, decode_link
 from helicoide.view.window import CLEARED, Window
 from helicoide.view.window_view import View
 
 SAME_POSTURE = 1e-3  # rad or m; a link rounds joint values
+SHEET_OPENED = Text(
+    en="The console, under the tab “Algebra”, has the sheet of the link.",
+    pt_BR="O console, na aba “Álgebra”, tem a folha do link.",
+)
+SHEET_REPLACED = Text(
+    en="The console, under the tab “Algebra”, has the sheet of the link in the place of yours. Undo brings yours back.",
+    pt_BR="O console, na aba “Álgebra”, tem a folha do link no lugar da sua. Desfazer traz a sua de volta.",
+)
+SheetReturn = Callable[[Sheet, SheetHistory], tuple[Sheet, SheetHistory]]
 log = logging.getLogger("helicoide")
 
 
@@ -35,13 +45,14 @@ log = logging.getLogger("helicoide")
 class Visitor:
     """A window, its place, and the bay of the workcell that it shows.
 
-    settled: whether the window is not moving to another workcell; moving: the task that moves it; history: the last
-    samples of the signals that the seat charts.
+    address: that of its page; settled: whether the window is not moving to another workcell; moving: the task that
+    moves it; history: the last samples of the signals that the seat charts.
     """
 
     window: Window
     place: Place
     bay: Bay
+    address: str = ""
     settled: bool = False
     moving: asyncio.Task[None] | None = None
     history: SignalHistory = NO_SIGNAL_HISTORY
@@ -61,6 +72,7 @@ class Visitor:
             recorder=recorder,
             history=self.history,
             time=monotonic(),
+            address=self.address,
         )
 
     def sample(self) -> None:
@@ -120,21 +132,55 @@ class Visitor:
         control.push(self.window.link.key, notice)
 
     def open_link(self, text: str) -> None:
-        """Show the view of a link: camera and tab at once; an arm in another posture is only asked for."""
-        state = self.bay.workcell.state
+        """Show what a link carries, a view or a sheet alone; one that cannot be read is refused and changes nothing."""
+        robot, q = self.bay.workcell.state.robot, self.bay.workcell.state.arm.q
         try:
             shared = decode_link(text)
-            linked, n = shared.posture, len(state.arm.q)
-            here = linked.robot == state.robot.name
-            if here and len(linked.q) != n:
-                raise HelicoideError(BAD_NUMBERS.format(part="q", count=n))
+            if (
+                isinstance(shared, SharedView)
+                and shared.posture.robot == robot.name
+                and len(shared.posture.q) != len(q)
+            ):
+                raise HelicoideError(BAD_NUMBERS.format(part="q", count=len(q)))
         except HelicoideError as refusal:
             self.window.tell(refusal.text)
             return
+        if isinstance(shared, SharedView):
+            self._show(shared)
+        else:
+            self.window.act(ShowTab(console_tab()))
+            self._open_sheet(shared)
+
+    def _show(self, shared: SharedView) -> None:
+        """Show the view of a link: camera, tab and sheet at once; an arm in another posture is only asked for."""
+        linked, state = shared.posture, self.bay.workcell.state
         self.window.look(*shared.camera)
         self.window.act(ShowTab(shared.tab))
+        here = linked.robot == state.robot.name
         there = here and np.allclose(linked.q, state.arm.q, rtol=0, atol=SAME_POSTURE)
         self.reseat(partial(with_linked, None if there else linked))
+        if shared.sheet != Sheet():
+            self._open_sheet(shared.sheet)
+
+    def _open_sheet(self, sheet: Sheet) -> None:
+        """Put the sheet of a link in the place of the seat's own; Undo brings that back."""
+        own = self.place.seat.sheet
+        self.finish_change()
+        self.reseat(lambda seat: replace(seat, sheet=sheet))
+        self.window.tell(SHEET_REPLACED if own.lines and own != sheet else SHEET_OPENED)
+
+    def return_sheet(self, change: SheetReturn, notice: Text) -> None:
+        """Undo or redo a change of the sheet, and say so."""
+        sheet, history = change(self.place.seat.sheet, self.place.seat.sheet_history)
+        self.reseat(lambda seat: replace(seat, sheet=sheet, sheet_history=history))
+        self.window.tell(notice)
+
+    def finish_change(self) -> None:
+        """Let the next change of the scene or of the sheet be one of its own."""
+        self.bay.finish_change()
+        seat = self.place.seat
+        if seat.sheet_history.unfinished:
+            self.place.seat = replace(seat, sheet_history=seat.sheet_history.finished())
 
     def close_link(self) -> None:
         """Forget the link, also in the address of the page."""
@@ -158,9 +204,16 @@ class Visitor:
         return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None
 
     def reseat(self, update: SeatUpdate) -> None:
-        """Update the seat. A new step of a lesson loads the robot of the lesson, or sets up the arm."""
+        """Update the seat. A new step of a lesson loads the robot of the lesson, or sets up the arm.
+
+        A change of the sheet is recorded, so that it can be undone.
+        """
         before, bay = self.place.seat, self.bay
-        seat = self.place.seat = update(before)
+        seat = update(before)
+        if seat.sheet != before.sheet and seat.sheet_history is before.sheet_history:
+            scene = len(bay.workcell.state.history.undo)
+            seat = replace(seat, sheet_history=before.sheet_history.with_change(before.sheet, seat.sheet, scene))
+        self.place.seat = seat
         if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
             chosen = lesson.load_lesson(seat.lesson)
             if chosen.robot != bay.workcell.state.robot.name:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
+from helicoide.gate.undoing import REDONE, UNDONE
 from helicoide.session.bay import Bays
 from helicoide.session.exporting import Exporting
 from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
+from helicoide.sheet import with_sheet_redone, with_sheet_undone
 from helicoide.text import HelicoideError
 from helicoide.view import requests
 from helicoide.view.requests import PageRequest
@@ -44,12 +46,18 @@ class WindowRequests:
                 except HelicoideError as refusal:
                     visitor.window.tell(refusal.text)
                 self.news()
+            case requests.Undo() if (change := self.view(visitor.window).sheet_undo) is not None:
+                visitor.return_sheet(with_sheet_undone, UNDONE.format(what=change.title))
+            case requests.Redo() if (change := self.view(visitor.window).sheet_redo) is not None:
+                visitor.return_sheet(with_sheet_redone, REDONE.format(what=change.title))
             case requests.ForStudyPanel(update):
                 self.studies.change(visitor.place, update)
             case requests.OwnArm(on):
                 self._move(visitor, on)
             case requests.TakeLink(own):
                 self._take_link(visitor, own)
+            case requests.OpenLink(address):
+                visitor.open_link(address.strip().rpartition("#")[2])
             case requests.CloseLink():
                 visitor.close_link()
             case requests.Save() | requests.SaveNotebook() | requests.SaveClip() | requests.SavePicture():

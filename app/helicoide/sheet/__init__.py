@@ -1,4 +1,4 @@
-"""Sheets of the console: `parts` says what a sheet is, `writing` its files and links, `editing` its changes."""
+"""Sheets of the console: `parts` says what a sheet is, `writing` writes it, `editing` and `undoing` change it."""
 
 from helicoide.sheet.editing import with_chosen_line, with_entered_line, with_entry_text, with_shown
 from helicoide.sheet.parts import (
@@ -11,25 +11,37 @@ from helicoide.sheet.parts import (
     SheetLine,
     too_long_text,
 )
-from helicoide.sheet.writing import LINK, sheet_link, sheet_of_file, sheet_of_link, sheet_of_text, sheet_text
+from helicoide.sheet.undoing import SheetChange, SheetHistory, with_sheet_redone, with_sheet_undone
+from helicoide.sheet.writing import (
+    LONGEST_PACKED,
+    packed_sheet,
+    sheet_of_file,
+    sheet_of_text,
+    sheet_text,
+    unpacked_sheet,
+)
 
 __all__ = [
-    "LINK",
     "LONGEST_LINE",
+    "LONGEST_PACKED",
     "MOST_CHARACTERS",
     "MOST_LINES",
     "LineEntry",
     "NameSlider",
     "Sheet",
+    "SheetChange",
+    "SheetHistory",
     "SheetLine",
-    "sheet_link",
+    "packed_sheet",
     "sheet_of_file",
-    "sheet_of_link",
     "sheet_of_text",
     "sheet_text",
     "too_long_text",
+    "unpacked_sheet",
     "with_chosen_line",
     "with_entered_line",
     "with_entry_text",
+    "with_sheet_redone",
+    "with_sheet_undone",
     "with_shown",
 ]

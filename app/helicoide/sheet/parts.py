@@ -9,9 +9,10 @@ from helicoide.text import HelicoideError, Text
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE = 4_000, 60, 400
 
 TOO_LONG = Text(
-    en="The sheet is too long: it may have {lines} lines, {line} characters in a line, and {most} characters in all.",
-    pt_BR="A folha é longa demais: ela pode ter {lines} linhas, {line} caracteres por linha e {most} caracteres no "
-    "total.",
+    en="The sheet is too long: it may have {lines} lines, {lines} sliders, {line} characters in a line or a name, and "
+    "{most} characters in all.",
+    pt_BR="A folha é longa demais: ela pode ter {lines} linhas, {lines} controles deslizantes, {line} caracteres por "
+    "linha ou nome e {most} caracteres no total.",
 )
 
 
@@ -57,9 +58,9 @@ class Sheet:
 
     def __post_init__(self) -> None:
         """Check the length; every sheet from outside is made here."""
-        texts = [line.text for line in self.lines]
-        too_long = len(texts) > MOST_LINES or len(self.sliders) > MOST_LINES or sum(map(len, texts)) > MOST_CHARACTERS
-        if too_long or any(len(text) > LONGEST_LINE for text in texts):
+        too_many = len(self.lines) > MOST_LINES or len(self.sliders) > MOST_LINES
+        lengths = [len(line.text) for line in self.lines] + [len(name) for name, _ in self.sliders]
+        if too_many or sum(lengths) > MOST_CHARACTERS or any(length > LONGEST_LINE for length in lengths):
             raise HelicoideError(too_long_text())
 
     def slider(self, name: str) -> NameSlider:

@@ -1,4 +1,4 @@
-"""A sheet as text, as the content of a file, and as a link; and back."""
+"""A sheet as text, as the content of a file, and packed for a link; and back."""
 
 from __future__ import annotations
 
@@ -7,16 +7,19 @@ import re
 import zlib
 from base64 import urlsafe_b64decode, urlsafe_b64encode
 
-from helicoide.sheet.parts import MOST_CHARACTERS, NameSlider, Sheet, SheetLine, too_long_text
+from helicoide.sheet.parts import MOST_CHARACTERS, MOST_LINES, NameSlider, Sheet, SheetLine, too_long_text
 from helicoide.text import HelicoideError, Text
 
 LARGEST, LEAST_WIDTH = 1e6, 1e-3  # of the ends of a slider, and of the distance between them
-HIDDEN, LINK = "hidden ", "sheet="
+# A text has at most `MOST_LINES` sliders with three numbers of up to 24 characters each, and as many hidden lines.
+# Packed, what cannot be compressed has up to four bytes for each character, and a third more in base64.
+LONGEST_TEXT, LONGEST_PACKED = MOST_CHARACTERS + 110 * MOST_LINES, 32_000
+HIDDEN = "hidden "
 _SLIDER = re.compile(r"slider ([A-Za-z][A-Za-z0-9_]*) = (\S+) from (\S+) to (\S+)")
 
-BROKEN_LINK = Text(
-    en="This is no link of a sheet, or it has lost a part: copy the whole text, which begins with {begins}.",
-    pt_BR="Isto não é um link de folha, ou uma parte se perdeu: copie o texto inteiro, que começa com {begins}.",
+DAMAGED = Text(
+    en="The sheet in the link is damaged, or a part of it was lost: copy the whole link again.",
+    pt_BR="A folha que vem no link está danificada, ou uma parte se perdeu: copie de novo o link inteiro.",
 )
 NO_TEXT = Text(
     en="The file is not text in UTF-8: a sheet is a text file with one expression in each line.",
@@ -39,7 +42,7 @@ def sheet_text(sheet: Sheet) -> str:
 
 def sheet_of_text(text: str) -> Sheet:
     """The sheet of a text, inverse of `sheet_text`; empty lines are left out. Raises HelicoideError."""
-    if len(text) > 2 * MOST_CHARACTERS:
+    if len(text) > LONGEST_TEXT:
         raise HelicoideError(too_long_text())
     sliders: dict[str, NameSlider] = {}
     lines: list[SheetLine] = []
@@ -63,26 +66,25 @@ def sheet_of_file(content: bytes) -> Sheet:
     return sheet_of_text(text)
 
 
-def sheet_link(sheet: Sheet) -> str:
-    """The sheet as the fragment of a link, such as sheet=eJx…: its text, compressed, in base64 for addresses."""
+def packed_sheet(sheet: Sheet) -> str:
+    """The sheet for a link: its text, compressed, in letters and digits that an address needs not escape (base64)."""
     packed = zlib.compress(sheet_text(sheet).encode(), 9)
-    return LINK + urlsafe_b64encode(packed).decode().rstrip("=")
+    return urlsafe_b64encode(packed).decode().rstrip("=")
 
 
-def sheet_of_link(link: str) -> Sheet:
-    """The sheet of a link, or of its fragment alone; what unpacks to too much is refused. Raises HelicoideError."""
-    _, found, packed = link.strip().rpartition(LINK)
+def unpacked_sheet(packed: str) -> Sheet:
+    """The sheet that was packed; what unpacks to too much is refused. Raises HelicoideError."""
     try:
-        if not found or len(packed) > 4 * MOST_CHARACTERS:
-            raise HelicoideError(BROKEN_LINK.format(begins=LINK))
+        if len(packed) > LONGEST_PACKED:
+            raise HelicoideError(too_long_text())
         raw = urlsafe_b64decode(packed.encode("ascii") + b"=" * (-len(packed) % 4))
         unpacker = zlib.decompressobj()
-        text = unpacker.decompress(raw, 8 * MOST_CHARACTERS)
-        if not unpacker.eof:
-            raise HelicoideError(BROKEN_LINK.format(begins=LINK))
+        text = unpacker.decompress(raw, 4 * LONGEST_TEXT)
+        if not unpacker.eof or unpacker.unused_data:
+            raise HelicoideError(DAMAGED)
         return sheet_of_text(text.decode("utf-8"))
     except (zlib.error, ValueError):  # of base64 and UTF-8, too
-        raise HelicoideError(BROKEN_LINK.format(begins=LINK)) from None
+        raise HelicoideError(DAMAGED) from None
 
 
 def _slider(n: int, line: str) -> tuple[str, NameSlider]:

@@ -33,6 +33,7 @@ NO_PLANE = Text(
     en="{given!r} is no plane: make one with plane(normal, offset).",
     pt_BR="{given!r} não é um plano: faça um com plane(normal, offset).",
 )
+NO_RADIUS = Text(en="A radius is positive, not {given!r}.", pt_BR="Um raio é positivo, não {given!r}.")
 NOT_NUMBERS = Text(en="Give {n} finite numbers, not {given!r}.", pt_BR="Dê {n} números finitos, não {given!r}.")
 NOT_CL031 = Text(
     en="Give a multivector of Cl(0,3,1), as point, line, plane and motor make them, not {given!r}.",
@@ -51,7 +52,7 @@ def line(direction: ArrayLike, through: ArrayLike | Multivector) -> Multivector:
     ℓ = v_x e2e3 + v_y e3e1 + v_z e1e2 + u_x e1e + u_y e2e + u_z e3e with |v| = 1 and u = r × v.
     Source: Cerbaro 2022, eq. 17.
     """
-    return Multivector(rigid.line(_direction(direction), _place(through)), CL031)
+    return Multivector(rigid.line(_direction(direction), as_place(through)), CL031)
 
 
 def plane(normal: ArrayLike, offset: float) -> Multivector:
@@ -87,7 +88,7 @@ def screw(direction: ArrayLike, through: ArrayLike | Multivector, angle: float, 
     direction (3,), any length but zero; through: a point of the line, (3,) m or a multivector.
     """
     turn, advance = _numbers((angle, pitch), 2)
-    return Multivector(rigid.screw_motor(_direction(direction), _place(through), turn, advance), CL031)
+    return Multivector(rigid.screw_motor(_direction(direction), as_place(through), turn, advance), CL031)
 
 
 def motor(T: ArrayLike) -> Multivector:
@@ -151,6 +152,19 @@ def as_plane(given: Multivector) -> tuple[Array, float]:
     return np.asarray(normal / length), float(offset) / length
 
 
+def as_place(given: ArrayLike | Multivector) -> Array:
+    """The coordinates (3,), m, of a point, given as such or as a multivector."""
+    return rigid.coordinates(_values(given)) if isinstance(given, Multivector) else _numbers(given, 3)
+
+
+def as_radius(given: float) -> float:
+    """A positive number, m; raises HelicoideError for anything else."""
+    (radius,) = _numbers(given, 1)
+    if radius <= 0:
+        raise HelicoideError(NO_RADIUS.format(given=given))
+    return float(radius)
+
+
 def _between_planes(a: Array, b: Array) -> Array:
     if incidence.is_finite(incidence.meet(a, b)):
         return np.zeros(())
@@ -186,11 +200,6 @@ def _values(X: Multivector) -> Array:
     if not isinstance(X, Multivector) or X.algebra != CL031:
         raise HelicoideError(NOT_CL031.format(given=X))
     return X.values
-
-
-def _place(through: ArrayLike | Multivector) -> Array:
-    """The coordinates (3,), m, of a point."""
-    return rigid.coordinates(_values(through)) if isinstance(through, Multivector) else _numbers(through, 3)
 
 
 def _direction(given: ArrayLike) -> Array:

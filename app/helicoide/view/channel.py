@@ -20,7 +20,7 @@ from websockets.exceptions import ConnectionClosed
 from helicoide.text import Language, Text
 from helicoide.view.link import Link
 
-PATH = "/helicoide/control"
+PATH, LONGEST_ADDRESS = "/helicoide/control", 2000
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
 
@@ -55,13 +55,15 @@ class Notice:
 class Hello:
     """The first message of a page: the seat that its browser has stored, and the language that it asks for.
 
-    dark: whether the browser prefers a dark page; link: the fragment of the page's address, empty without one.
+    dark: whether the browser prefers a dark page; link: the fragment of the page's address, empty without one;
+    address: the rest of the address, to which links to share are added.
     """
 
     seat: str | None
     language: Language | None
     dark: bool = False
     link: str = ""
+    address: str = ""
 
 
 @dataclass(eq=False)
@@ -207,12 +209,13 @@ def _hello(message: dict[str, object]) -> Hello:
     wanted = [one for one in languages if isinstance(one, str)] if isinstance(languages, list) else []
     spoken = next((one for one in wanted if one[:2] in ("pt", "en")), None)
     language: Language | None = None if spoken is None else "pt_BR" if spoken.startswith("pt") else "en"
-    link = message.get("link")
+    link, address = message.get("link"), message.get("address")
     return Hello(
         seat if isinstance(seat, str) else None,
         language,
         message.get("dark") is True,
         link if isinstance(link, str) else "",
+        address[:LONGEST_ADDRESS] if isinstance(address, str) else "",
     )
 
 

@@ -11,9 +11,7 @@ from helicoide.console import example_sheets, free_names, scene_names
 from helicoide.sheet import (
     NameSlider,
     Sheet,
-    sheet_link,
     sheet_of_file,
-    sheet_of_link,
     sheet_text,
     with_chosen_line,
     with_entered_line,
@@ -23,8 +21,9 @@ from helicoide.sheet import (
 from helicoide.text import Text, untranslated
 from helicoide.view import html
 from helicoide.view.console_words import entry_help, known_functions, known_names, result_list
-from helicoide.view.requests import ForSeat, Save
+from helicoide.view.requests import ForSeat, OpenLink, Save
 from helicoide.view.rows import Button, DependentRows, Dropdown, Folder, HtmlRow, Row, Slider, TextEntry, Upload
+from helicoide.view.share import encode_link
 from helicoide.view.window_view import View
 
 TITLE_OF_CONSOLE = Text(en="Console", pt_BR="Console")
@@ -193,9 +192,9 @@ def _sheet_rows() -> list[Row]:
         ),
         TextEntry(
             Text(en="link to this sheet", pt_BR="link desta folha"),
-            lambda view: sheet_link(view.seat.sheet),
+            _address,
             Text(en="Open link", pt_BR="Abrir link"),
-            lambda link: _changed(lambda _: sheet_of_link(link)),
+            OpenLink,
         ),
         Button(
             lambda _: Text(en="Empty sheet", pt_BR="Esvaziar folha"),
@@ -205,6 +204,11 @@ def _sheet_rows() -> list[Row]:
             weight="destructive",
         ),
     ]
+
+
+def _address(view: View) -> str:
+    """The address that opens the sheet in a browser; empty for an empty sheet."""
+    return f"{view.address}#{encode_link(view.seat.sheet)}" if view.seat.sheet != Sheet() else ""
 
 
 def _example(view: View) -> str:

@@ -148,7 +148,7 @@ class Stop:
 
 @dataclass(frozen=True)
 class Undo:
-    """A request to undo the last change of the scene or of a setting."""
+    """A request to undo the last change of the scene, of a setting, or of the sheet of this window."""
 
 
 @dataclass(frozen=True)
@@ -168,6 +168,13 @@ class TakeLink:
     """A request to bring an arm to the posture of a link that was opened: the shown arm, or one of one's own (own)."""
 
     own: bool
+
+
+@dataclass(frozen=True)
+class OpenLink:
+    """A request to open a link to a view or a sheet: a whole address, or its fragment alone."""
+
+    address: str
 
 
 @dataclass(frozen=True)
@@ -243,6 +250,7 @@ PageRequest = (
     | Redo
     | OwnArm
     | TakeLink
+    | OpenLink
     | CloseLink
     | Look
     | CopyLink

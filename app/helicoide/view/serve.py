@@ -31,7 +31,7 @@ Channel = Callable[[ServerConnection], Awaitable[None]]
 
 Door = Callable[[ServerConnection, Request], Response | None]
 
-CHANNEL_BYTES = 16384  # the longest message a page may send on a channel; a link of `share.LONGEST_LINK` fits
+CHANNEL_BYTES = 65536  # the longest message a page may send on a channel; a link of `share.LONGEST_LINK` fits
 PAGE_BYTES = 1 << 20  # and on viser's own socket, which takes files in parts of half that size
 CHANNEL_RATE, PAGE_RATE = 50.0, 500.0  # messages read per second; further ones wait
 

@@ -9,6 +9,7 @@ from viser import Icon
 
 from helicoide.history import Change
 from helicoide.seat import Seat
+from helicoide.sheet import SheetChange
 from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.view.camera import PRESETS
 from helicoide.view.link_rows import link_rows
@@ -41,16 +42,16 @@ def top_rows() -> list[Row]:
         Button(lambda view: SHARED if view.own else OWN, lambda view: OwnArm(not view.own), Icon.USER),
         *link_rows(),
         Button(
-            lambda view: _label(UNDO, view.state.history.undo),
+            lambda view: _label(UNDO, view.sheet_undo, view.state.history.undo),
             lambda view: Undo(),
             Icon.ARROW_BACK_UP,
-            enabled=lambda view: bool(view.state.history.undo),
+            enabled=lambda view: bool(view.state.history.undo or view.sheet_undo),
         ),
         Button(
-            lambda view: _label(REDO, view.state.history.redo),
+            lambda view: _label(REDO, view.sheet_redo, view.state.history.redo),
             lambda view: Redo(),
             Icon.ARROW_FORWARD_UP,
-            enabled=lambda view: bool(view.state.history.redo),
+            enabled=lambda view: bool(view.state.history.redo or view.sheet_redo),
         ),
         Folder(LOOK, _look_rows(), open=False),
     ]
@@ -66,9 +67,10 @@ def _look_rows() -> list[Row]:
     ]
 
 
-def _label(action: Text, changes: tuple[Change, ...]) -> Text:
-    """Undo or Redo with the change that comes next."""
-    return OF_CHANGE.format(action=action, what=changes[-1].title) if changes else action
+def _label(action: Text, of_sheet: SheetChange | None, changes: tuple[Change, ...]) -> Text:
+    """Undo or Redo with the change that comes next: of the sheet, or else the newest one of the scene."""
+    change = of_sheet or (changes[-1] if changes else None)
+    return action if change is None else OF_CHANGE.format(action=action, what=change.title)
 
 
 def with_projector(on: bool, seat: Seat) -> Seat:

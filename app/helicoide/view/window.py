@@ -129,7 +129,8 @@ class Window:
         """What a link to this window shows."""
         state, camera = self.view.state, self.client.camera
         posture = LinkedPosture(state.robot.name, tuple(state.arm.q.tolist()))
-        return SharedView(posture, (np.array(camera.position), np.array(camera.look_at)), self.tab or 0)
+        looks = np.array(camera.position), np.array(camera.look_at)
+        return SharedView(posture, looks, self.tab or 0, self.view.seat.sheet)
 
     def look(self, position: Array, target: Array) -> None:
         """Move the camera of this window to a position, and turn it to a target, (3,) m each."""

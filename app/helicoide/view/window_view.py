@@ -8,6 +8,7 @@ from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState
 from helicoide.recorder.recorder import RecorderStatus
 from helicoide.seat import Seat
+from helicoide.sheet import SheetChange
 from helicoide.state import State
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 
@@ -18,7 +19,8 @@ class View:
 
     ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
     recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
-    history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest.
+    history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest;
+    address: that of the page, to which links are added, empty until it is known.
     """
 
     state: State
@@ -30,6 +32,17 @@ class View:
     recorder: RecorderStatus | None = None
     history: SignalHistory = NO_SIGNAL_HISTORY
     time: float = 0.0
+    address: str = ""
+
+    @property
+    def sheet_undo(self) -> SheetChange | None:
+        """The change of the sheet that Undo returns from; None if a change of the scene comes first."""
+        return self.seat.sheet_history.next_undo(len(self.state.history.undo))
+
+    @property
+    def sheet_redo(self) -> SheetChange | None:
+        """The change of the sheet that Redo makes again; None if a change of the scene comes first."""
+        return self.seat.sheet_history.next_redo(len(self.state.history.undo), len(self.state.history.redo))
 
     def linked_here(self) -> tuple[float, ...] | None:
         """The joint values (n,), rad or m, of a link about the arm that is shown; None without such a link."""

@@ -95,7 +95,7 @@ class Highlight:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the selected object."""
-        if old is not None and old.seat is new.seat and shown_parts(old) == shown_parts(new):
+        if old is not None and old.seat is new.seat and inspected_parts(old) == inspected_parts(new):
             return
         element = readout.element_of(new.state, new.seat.selected)
         self._object(new.state, element)
@@ -140,7 +140,7 @@ class Highlight:
         _show(node, shown)
 
 
-def shown_parts(view: View) -> tuple[object, ...]:
+def inspected_parts(view: View) -> tuple[object, ...]:
     """The parts of the view on which the inspected object depends. Equal results: nothing has to be drawn."""
     state = view.state
     return id(state.arm.q), id(state.problem), id(state.request.command), view.ready

@@ -14,7 +14,7 @@ from helicoide.text import Text
 from helicoide.view.colours import BLUE, GREY, VERMILION
 from helicoide.view.figures import polyline
 from helicoide.view.layers import Stage
-from helicoide.view.layers.highlight import shown_parts
+from helicoide.view.layers.highlight import inspected_parts
 from helicoide.view.window_view import View
 
 NAME = "screw"
@@ -63,7 +63,7 @@ class ScrewLayer:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the highlighted object while shown."""
-        if old is not None and old.seat is new.seat and shown_parts(old) == shown_parts(new):
+        if old is not None and old.seat is new.seat and inspected_parts(old) == inspected_parts(new):
             return
         state, nodes, shown = new.state, self.nodes, new.ready and new.seat.visible_layers[NAME]
         element = readout.element_of(state, new.seat.selected) if shown else None

@@ -40,7 +40,8 @@ def bent(*degrees: float) -> Update:
 
 
 def away(studio: Studio, x: float, y: float, z: float) -> Update:
-    """Set the target at a distance, m, from the end effector, with its orientation."""
+    """Set the target at a distance, m, from the end effector, whose orientation is left free."""
+    studio.lab.post(gate.keep_orientation(False))
     T = studio.lab.state.T_world_tool
     return gate.set_target(T[:3, 3] + [x, y, z], rotation.from_matrix(T[:3, :3]))
 
@@ -88,14 +89,14 @@ def console(studio: Studio) -> None:
 
 
 def ellipsoid(studio: Studio) -> None:
-    """How fast the end effector can move in each direction, and what each joint adds."""
+    """How fast the end effector can move in each direction."""
     studio.load("puma560")
     studio.tab(robot)
-    studio.show("velocity_ellipsoid", "columns")
+    studio.show("velocity_ellipsoid")
     studio.unfold(robot.SHOW)
     studio.begin_with(studio.page.get_by_text(velocity_ellipsoid.TITLE[studio.language], exact=True))
     tool = studio.lab.state.T_world_tool[:3, 3]
-    studio.aim(points=np.vstack([studio.arm(), tool - 0.2, tool + 0.2]))
+    studio.aim(points=np.vstack([studio.lab.state.monitored_points, tool - 0.2, tool + 0.2]))
 
 
 def planned(studio: Studio) -> None:
@@ -124,6 +125,7 @@ def dh_frames(studio: Studio) -> None:
     studio.load("puma560")
     studio.tab(robot)
     studio.show("dh")
+    studio.sit(lambda seat: replace(seat, transparent=True))
     studio.aim(share=0.8)
 
 
@@ -155,7 +157,6 @@ def signals(studio: Studio) -> None:
     """The distances over time, with the bands in which the arm is slowed and stopped."""
     studio.tab(charts)
     studio.sit(lambda seat: signal_rows.with_group(seat, "distances"))
-    studio.lab.post(gate.keep_orientation(False))
     for y, z in ((-0.2, 0.0), (0.1, 0.25), (0.3, -0.15)):
         studio.move(away(studio, 0.0, y, z))
     studio.begin_with(studio.page.locator("figcaption").first)
@@ -169,7 +170,6 @@ def loop(studio: Studio) -> None:
     diagram = studio.page.locator(".helicoide-loop")
     diagram.wait_for()
     studio.begin_with(diagram)
-    studio.lab.post(gate.keep_orientation(False))
     studio.move(away(studio, 0.0, 0.1, 0.1))
     studio.aim()
 

@@ -19,7 +19,7 @@ from helicoide.text import Language
 ROOT = Path(__file__).parents[1]
 FOLDER = STATIC / "pictures"
 HEAVIEST = 250_000  # bytes
-LEAST_ENTROPY, LARGEST_SHARE, LEAST_DEVIATION = 3.0, 0.6, 15.0  # bits; of one grey value; of 255 grey values
+LEAST_ENTROPY, LARGEST_SHARE, LEAST_DEVIATION = 2.5, 0.75, 15.0  # bits; of one grey value; of 255 grey values
 NAMES = {picture.name for picture in GALLERY}
 
 

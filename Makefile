@@ -29,7 +29,7 @@ bench: $(VENV)/ready-to-test
 
 docs-pictures: $(VENV)/ready-to-test
 	@$(IN_VENV) -m tests.system browser
-	$(IN_VENV) -m tests.browser.pictures
+	$(IN_VENV) -m tests.browser.pictures $(ARGS)
 
 # The build backend is installed first and pinned like the rest, so that pip does not fetch another one to build with.
 $(VENV)/ready-to-run: pyproject.toml constraints.txt

@@ -24,7 +24,13 @@ FLAGS = (
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
 )
-SIZES = {"desk": (1280, 800), "phone": (390, 844), "laptop": (1366, 600), "projector": (1920, 1080)}
+SIZES = {
+    "desk": (1280, 800),
+    "desktop": (1366, 768),
+    "laptop": (1366, 600),
+    "phone": (390, 844),
+    "projector": (1920, 1080),
+}
 PATIENCE_MS = 300_000  # a slow machine must not fail a test
 expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
@@ -62,11 +68,12 @@ def window(
     log: list[str] | None = None,
     path: str = "/",
     first: bool = False,
+    resolution: float = 0.25,
 ) -> Iterator[Page]:
     """Open a window on a port, with one of SIZES; it is drawn, may drive, and is without notifications.
 
     A phone has touch. first: whether this is the browser's first visit, so that the hint is shown; log: gets the lines
-    of the page's console, including errors.
+    of the page's console, including errors; resolution: pixels that the scene is drawn with, per pixel of the page.
     """
     lines = [] if log is None else log
     width, height = SIZES[size]
@@ -81,7 +88,7 @@ def window(
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))
         page.on("pageerror", lambda error: lines.append(f"pageerror: {error}"))
-        page.goto(f"http://127.0.0.1:{port}{path}?fixedDpr=0.25")
+        page.goto(f"http://127.0.0.1:{port}{path}?fixedDpr={resolution}")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         page.wait_for_selector("#helicoide-stop[data-link=up]")
         page.wait_for_function("() => window.drives")

@@ -2,86 +2,102 @@
 
 from __future__ import annotations
 
+import io
 import shutil
-import subprocess
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from unittest.mock import patch
 
-from playwright.sync_api import Page, sync_playwright
+from PIL import Image
+from playwright.sync_api import Browser, Page, sync_playwright
 from tests.browser import sheet
-from tests.browser.conftest import CHROMIUMS, FLAGS, SIZES, SLOW_GL_TOAST
+from tests.browser.conftest import CHROMIUMS, FLAGS, PATIENCE_MS, window
+from tests.browser.gallery import GALLERY, Picture
+from tests.browser.lab import Lab, opened, until
+from tests.browser.studio import Studio
 
 from helicoide import content
+from helicoide.view import link
+from helicoide.view.top_rows import with_dark, with_projector
 
-PICTURE = content.STATIC / "pictures" / "lab.png"
-ABOVE_THE_CEILING = (680, 60, 690)
-COMPILING_MS = 300_000
+FOLDER = content.STATIC / "pictures"
+COLOURS = 256
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
+LOCALES = {"en": "en-US", "pt_BR": "pt-BR"}
+# Words on the page that no picture may show: notifications, refusals, errors, and what is still being computed.
+FLAWS = """() => {
+  const seen = (element) => element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
+  const wrong = ".mantine-Notification-root, [role=alert], .helicoide-wrong, #helicoide-status[data-tone=warn], " +
+    "#helicoide-status[data-tone=lost], #helicoide-stop:not([data-link=up])";
+  const unfinished = /\\p{L}…|Traceback|\\bNaN\\b/u;
+  const found = [...document.querySelectorAll(wrong)].filter(seen)
+    .map((one) => (one.closest(".helicoide-line") ?? one).innerText);
+  const lines = document.body.innerText.split("\\n").filter((line) => unfinished.test(line));
+  return [...found, ...lines];
+}"""
 
 
-@contextmanager
-def served() -> Iterator[str]:
-    """Start a lab in another process; gives its address."""
-    command = [sys.executable, "-m", "helicoide", "--port", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as server:
-        assert server.stdout is not None
-        try:
-            yield server.stdout.readline().split()[-1]
-        finally:
-            server.terminate()
+class UnfitPictureError(Exception):
+    """A page that shows something that no picture may show."""
 
 
-@contextmanager
-def opened(address: str) -> Iterator[Page]:
-    """A window of size `desk`, without notifications, with the arm ready."""
-    found = next(filter(None, map(shutil.which, CHROMIUMS)), None)
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
-        width, height = SIZES["desk"]
-        page = chromium.new_page(viewport={"width": width, "height": height}, locale="en-US")
-        page.goto(address)
-        page.get_by_role("status").get_by_text("Ready:").wait_for(timeout=COMPILING_MS)
-        page.locator(SLOW_GL_TOAST).wait_for()
-        page.locator(".mantine-Notification-closeButton").first.click()
-        yield page
-        chromium.close()
+def photograph(page: Page, path: Path) -> None:
+    """Save what the page shows, with few colours. Raises UnfitPictureError, and saves nothing, if it is unfit."""
+    flaws = page.evaluate(FLAWS)
+    shot = page.screenshot()
+    flaws += page.evaluate(FLAWS)
+    if flaws:
+        raise UnfitPictureError(f"{path.name} is not taken, since the page shows: {'; '.join(dict.fromkeys(flaws))}")
+    image = Image.open(io.BytesIO(shot)).convert("RGB")
+    image.quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
-def tab(page: Page, name: str) -> None:
-    """Bring a panel to the front."""
-    page.get_by_role("tab", name=name).click()
-
-
-def ask_for(page: Page, millimetres: tuple[int, int, int]) -> None:
-    """Type the position of the target, mm, into the three boxes of the Robot tab."""
-    boxes = page.get_by_text("x y z [mm]", exact=True).locator("xpath=following::input[@inputmode='decimal']")
-    for box, value in enumerate(millimetres):
-        boxes.nth(box).fill(str(value))
-        boxes.nth(box).press("Enter")
-
-
-def light_up(page: Page, reading: str) -> None:
-    """Choose the multivector that the Algebra tab and the scene highlight."""
-    page.get_by_label("Highlight", exact=True).click()
-    page.get_by_role("option", name=reading).click()
-
-
-def take_the_lab() -> None:
-    """The target above the ceiling: the arm stops 80 mm below it, the status says why, the plane is highlighted."""
-    PICTURE.parent.mkdir(exist_ok=True)
-    with served() as address, opened(address) as page:
-        tab(page, "Robot")
-        ask_for(page, ABOVE_THE_CEILING)
-        tab(page, "Algebra")
-        light_up(page, "ceiling")
-        page.get_by_role("status").get_by_text("Blocked by plane").wait_for()
+def take(lab: Lab, browser: Browser, picture: Picture) -> None:
+    """Take one picture of the gallery, in a window of its own."""
+    with window(browser, lab.port, picture.size, LOCALES[picture.language], resolution=1) as page:
+        until(page, lambda: lab.session.ready, 300)
+        studio = Studio(lab, page, picture.language)
+        studio.load("movemaster")
+        lab.reset(page)
+        studio.sit(lambda seat: with_projector(picture.size == "projector", with_dark(picture.dark, seat)))
+        page.wait_for_selector(f"html[data-mantine-color-scheme={'dark' if picture.dark else 'light'}]")
         page.wait_for_timeout(SETTLING_MS)
-        page.screenshot(path=PICTURE)
-    print(f"{PICTURE.relative_to(Path.cwd())}: {PICTURE.stat().st_size // 1024} kB")
+        picture.set_up(studio)
+        page.mouse.move(1, 1)
+        page.wait_for_timeout(SETTLING_MS)
+        photograph(page, FOLDER / f"{picture.name}.png")
+
+
+def take_gallery(pictures: Sequence[Picture]) -> None:
+    """Take pictures of the gallery. Recordings made for them are thrown away."""
+    found = next(filter(None, map(shutil.which, CHROMIUMS)), None)
+    with (
+        TemporaryDirectory() as mine,
+        patch.object(content, "user_folder", lambda: Path(mine)),
+        patch.object(link, "FRESH", PATIENCE_MS / 1000),
+        sync_playwright() as playwright,
+    ):
+        lab = opened()
+        chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
+        for picture in pictures:
+            take(lab, chromium, picture)
+            print(f"{picture.name}: {(FOLDER / f'{picture.name}.png').stat().st_size // 1000} kB", flush=True)
+        chromium.close()
+        lab.session.close()
+
+
+def main(asked: Sequence[str]) -> None:
+    """Take the pictures of these names, or all."""
+    known = [*(picture.name for picture in GALLERY), sheet.PICTURE.stem]
+    if unknown := set(asked).difference(known):
+        sys.exit(f"There is no picture {', '.join(unknown)}; there are {', '.join(known)}.")
+    wanted = asked or known
+    take_gallery([picture for picture in GALLERY if picture.name in wanted])
+    if sheet.PICTURE.stem in wanted:
+        sheet.main()
 
 
 if __name__ == "__main__":
-    take_the_lab()
-    sheet.main()
+    main(sys.argv[1:])

@@ -14,6 +14,7 @@ from helicoide.view.requests import ForArm, PageRequest, PlanMotion
 from helicoide.view.rows import Button, Dropdown, Folder, HtmlRow, Row
 from helicoide.view.window_view import View
 
+TITLE = Text(en="Planned motion", pt_BR="Movimento planejado")
 CHOOSE = Text(en="choose …", pt_BR="escolha …")
 PLAN = Text(en="Plan to", pt_BR="Planejar até")
 EXECUTE = Text(en="Execute the planned motion", pt_BR="Executar o movimento planejado")
@@ -56,7 +57,7 @@ def plan_rows(robot: Robot) -> Folder:
         Button(lambda _: EXECUTE, lambda _: ForArm(gate.execute_plan()), Icon.PLAYER_PLAY, _exists, weight="primary"),
         Button(lambda _: DISCARD, lambda _: ForArm(gate.clear_plan()), Icon.X, _exists),
     ]
-    return Folder(Text(en="Planned motion", pt_BR="Movimento planejado"), rows, open=False)
+    return Folder(TITLE, rows, open=False)
 
 
 def _exists(view: View) -> bool:

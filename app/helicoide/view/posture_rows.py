@@ -26,6 +26,7 @@ from helicoide.view.window_view import View
 
 HERE_WITHIN = np.radians(0.5)  # rad; for a prismatic joint a share of the reach
 
+TITLE = Text(en="Postures for the target", pt_BR="Posturas para o alvo")
 ABOUT = Text(
     en="All postures that bring the end effector to the target. The current one is marked.",
     pt_BR="Todas as posturas que levam o efetuador ao alvo. A atual está marcada.",
@@ -81,7 +82,7 @@ def posture_rows(robot: Robot) -> Folder:
             open=False,
         ),
     ]
-    return Folder(Text(en="Postures for the target", pt_BR="Posturas para o alvo"), rows, open=False)
+    return Folder(TITLE, rows, open=False)
 
 
 def _weight(robot: Robot, index: int) -> Slider:

@@ -32,6 +32,7 @@ ORDER = 1
 ICON = Icon.ROBOT
 
 READY = Text(en="Ready pose", pt_BR="Ir à pose inicial")
+SHOW = Text(en="Show", pt_BR="Mostrar")
 PARK = Text(en="Park (planes off)", pt_BR="Estacionar (sem planos)")
 
 
@@ -55,7 +56,7 @@ def rows(robot: Robot) -> list[Row]:
         obstacle_rows(robot),
         *([entry_point_rows()] if "rcm" in robot.frames else []),
         workspace_rows(robot),
-        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(robot), open=False),
+        Folder(SHOW, _shows(robot), open=False),
     ]
 
 

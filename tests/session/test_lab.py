@@ -84,6 +84,24 @@ def test_the_browsers_language_is_spoken_and_a_seat_found_again(lab: Lab) -> Non
     again.close()
 
 
+def test_a_choice_made_while_the_page_is_built_is_followed(lab: Lab, monkeypatch: pytest.MonkeyPatch) -> None:
+    fill = Window._fill
+    chosen: list[Window] = []
+
+    async def filled_meanwhile(window: Window, view: View) -> None:
+        await fill(window, view)
+        if not chosen:
+            chosen.append(window)
+            visitor = lab.visitors[window.client.client_id]
+            visitor.reseat(lambda seat: replace(seat, language="pt_BR", dark=True))
+
+    monkeypatch.setattr(Window, "_fill", filled_meanwhile)
+    hand = window(lab, languages=("en",))
+    assert eventually(lambda: "Reproduzir" in hand.page.made)
+    assert eventually(lambda: chosen[0].dark)
+    hand.close()
+
+
 def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     """While its arm is on its way another one still stands there, whose state its goals do not know."""
     lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")

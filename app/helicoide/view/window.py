@@ -85,6 +85,7 @@ class Window:
         self.gone = False
         self.shapes: list[Shape] = []
         self.weight = 1.0
+        self.panel_language, self.dark = view.seat.language, view.seat.dark  # of the panels, and of the page
         self.looks_at: Robot | None = None
         self.told_late = -TOLD_FOR
         self.uploads = Uploads(client, self.tell)
@@ -172,7 +173,8 @@ class Window:
             self.view = view
             gui, language = self.client.gui, view.seat.language
             gui.reset()
-            set_theme(gui, view.seat.dark)
+            self.panel_language, self.dark = language, view.seat.dark
+            set_theme(gui, self.dark)
             gui.set_panel_label(PANEL[language])
             self.placed, self.commands = [], []
             self.top = place_rows(gui, top_rows(), view, self.act)
@@ -215,10 +217,11 @@ class Window:
             or (self.written is not None and _same(self.written, view))
         ):
             return 0.0
-        if self.view.seat.language != view.seat.language:
+        if self.panel_language != view.seat.language:
             await self.furnish(view)
-        if self.view.seat.dark != view.seat.dark:
-            set_theme(self.client.gui, view.seat.dark)
+        if self.dark != view.seat.dark:
+            self.dark = view.seat.dark
+            set_theme(self.client.gui, self.dark)
         if self.layers is not None and self.weight != _weight(view.seat):
             await self._restage(view)
         self.view = self.written = view

@@ -41,7 +41,7 @@
     const scale = element.closest("svg")?.getScreenCTM?.()?.a ?? 1;
     const size = parseFloat(styles[0].fontSize) * scale;
     if (size < LEAST_SIZE - 0.01) told("size", size, text.textContent);
-    if (element.closest("label, button, input, p, td, li, h3") && !element.closest("math, figure, svg, .helicoide-grid, .helicoide-matrix, sub, kbd") && size < LEAST_BODY - 0.45)
+    if (element.closest("label, button, input, p, td, li, h3") && !element.closest("math, figure, svg, .helicoide-grid, .helicoide-matrix, .helicoide-stage, sub, kbd") && size < LEAST_BODY - 0.45)
       told("body", size, text.textContent);
   }
   for (const box of document.querySelectorAll(".mantine-Paper-root *")) {

@@ -22,9 +22,9 @@ SHEET = Sheet(
     tuple(map(SheetLine, ("p = M_tool >> point(0, 0, 0.1)", "exp(0.5*phi*L1) >> p", "distance(tool, ceiling)")))
 )
 STUDY = "cerbaro_orca_circle"
-# Press the headings of folded folders, each once; gives how many are still folded.
+# Press the headings of folded folders, also in folders that are folded, each once; gives how many are still folded.
 UNFOLD = """() => { const folded = [...document.querySelectorAll('.mantine-Paper-root .tabler-icon-chevron-down')]
-  .map(icon => icon.closest('.mantine-Paper-root[style*="cursor: pointer"]')).filter(one => one?.checkVisibility());
+  .map(icon => icon.closest('.mantine-Paper-root[style*="cursor: pointer"]')).filter(one => one);
   for (const one of folded) if (!one.unfolds) { one.unfolds = true; one.click() } return folded.length }"""
 
 
@@ -70,7 +70,7 @@ def _with_all_shown(seat: Seat) -> Seat:
 
 
 def unfold(page: Page) -> None:
-    """Open all folders of the tab in front, from the outside in; folders that opened may show others."""
+    """Open all folders, also those inside others."""
     until(page, lambda: page.evaluate(UNFOLD) == 0)
     page.wait_for_timeout(300)
     until(page, lambda: page.evaluate(UNFOLD) == 0)

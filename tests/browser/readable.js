@@ -49,7 +49,7 @@
     const style = getComputedStyle(box);
     const [wide, tall] = [box.scrollWidth - box.clientWidth, box.scrollHeight - box.clientHeight];
     if (wide > 1 && /auto|scroll/.test(style.overflowX)) told("scrolls sideways", wide, box.textContent);
-    else if (wide > 1 && style.overflowX !== "visible" && box.textContent.trim() && box.checkVisibility({ opacityProperty: true, visibilityProperty: true })) told("cut", wide, box.textContent);
+    else if (wide > 1 && style.overflowX !== "visible" && [...box.childNodes].some((one) => one.nodeType === Node.TEXT_NODE && one.textContent.trim()) && box.checkVisibility({ opacityProperty: true, visibilityProperty: true })) told("cut", wide, box.textContent);
     if (box.matches(".helicoide-formula, .helicoide-reading") && tall > 0 && /auto|scroll/.test(style.overflowY)) told("tall", tall, box.textContent);
   }
   for (const input of document.querySelectorAll("input")) {

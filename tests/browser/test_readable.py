@@ -51,7 +51,7 @@ def page(browser: Browser, lab: Lab, request: pytest.FixtureRequest) -> Iterator
 
 def remaining(page: Page, touch: bool) -> list[str]:
     """What is found once the page has fitted its formulas and named its controls, which it does with a delay."""
-    for _ in range(20):
+    for _ in range(10):
         page.wait_for_timeout(300)
         if not (findings := page.evaluate(FINDINGS, touch)):
             break

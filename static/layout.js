@@ -43,6 +43,18 @@
     }
   }
 
+  // A choice that is longer than its field gets the whole width of the panel.
+  function stack() {
+    for (const field of document.querySelectorAll('input[aria-haspopup="listbox"]')) {
+      const row = field.closest(".mantine-Flex-root");
+      const shown = `${field.value} ${document.documentElement.dataset.projector ?? ""}`;
+      if (!row || field.clientWidth === 0 || field.dataset.stacked === shown) continue;
+      row.classList.remove("helicoide-long");
+      row.classList.toggle("helicoide-long", field.scrollWidth > field.clientWidth + 1);
+      field.dataset.stacked = shown;
+    }
+  }
+
   // A logarithmic slider shows its value in its label; viser's own numbers are exponents and are hidden.
   function markDecades() {
     for (const label of document.querySelectorAll("label")) {
@@ -50,7 +62,7 @@
     }
   }
 
-  for (const one of [place, fit, markDecades]) window.helicoideOnChange(one);
+  for (const one of [place, fit, stack, markDecades]) window.helicoideOnChange(one);
   const all = { subtree: true, childList: true, attributes: true, attributeFilter: ["style", "class", "hidden"] };
   new MutationObserver(soon).observe(document.body, all);
   new MutationObserver(soon).observe(document.documentElement, { attributeFilter: ["data-projector", "lang"] });

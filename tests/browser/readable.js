@@ -41,16 +41,20 @@
     const scale = element.closest("svg")?.getScreenCTM?.()?.a ?? 1;
     const size = parseFloat(styles[0].fontSize) * scale;
     if (size < LEAST_SIZE - 0.01) told("size", size, text.textContent);
-    if (element.closest("label, button, input, p, td, li, h3") && !element.closest("math, figure, svg, .helicoide-grid, sub, kbd") && size < LEAST_BODY - 0.45)
+    if (element.closest("label, button, input, p, td, li, h3") && !element.closest("math, figure, svg, .helicoide-grid, .helicoide-matrix, .helicoide-stage, sub, kbd") && size < LEAST_BODY - 0.45)
       told("body", size, text.textContent);
   }
-  for (const box of document.querySelectorAll(".helicoide-formula, .helicoide-reading")) {
+  for (const box of document.querySelectorAll(".mantine-Paper-root *")) {
+    if (box.clientWidth === 0 || box.closest("svg, math, .uplot, input")) continue;
     const style = getComputedStyle(box);
-    if (/auto|scroll/.test(style.overflowX) && box.scrollWidth > box.clientWidth + 1) told("wide", box.scrollWidth - box.clientWidth, box.textContent);
-    if (/auto|scroll/.test(style.overflowY) && box.scrollHeight > box.clientHeight) told("tall", box.scrollHeight - box.clientHeight, box.textContent);
+    const [wide, tall] = [box.scrollWidth - box.clientWidth, box.scrollHeight - box.clientHeight];
+    if (wide > 1 && /auto|scroll/.test(style.overflowX)) told("scrolls sideways", wide, box.textContent);
+    else if (wide > 1 && style.overflowX !== "visible" && [...box.childNodes].some((one) => one.nodeType === Node.TEXT_NODE && one.textContent.trim()) && box.checkVisibility({ opacityProperty: true, visibilityProperty: true })) told("cut", wide, box.textContent);
+    if (box.matches(".helicoide-formula, .helicoide-reading") && tall > 0 && /auto|scroll/.test(style.overflowY)) told("tall", tall, box.textContent);
   }
   for (const input of document.querySelectorAll("input")) {
-    if (input.clientWidth > 0 && input.inputMode === "decimal" && input.scrollWidth > input.clientWidth + 1) told("cut", input.scrollWidth - input.clientWidth, input.value);
+    const isValue = input.inputMode === "decimal" || input.ariaHasPopup === "listbox";
+    if (input.clientWidth > 0 && isValue && input.scrollWidth > input.clientWidth + 1) told("cut", input.scrollWidth - input.clientWidth, input.value);
   }
   for (const canvas of document.querySelectorAll(".uplot canvas")) {
     const [inner, outer] = [canvas, canvas.closest(".uplot")].map((one) => one.getBoundingClientRect());

@@ -6,21 +6,35 @@ from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
+from markupsafe import Markup
 from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import window
+from tests.browser.furnished import furnish, reseat, unfold
 from tests.browser.lab import Lab, pixels, speak, tab, until
 
-from helicoide import gate
-from helicoide.session.postures import to_singular_posture
-from helicoide.text import LANGUAGES
+from helicoide import content
+from helicoide.readout.matrices import NamedMatrix
+from helicoide.text import LANGUAGES, Language, untranslated
 from helicoide.view import panels
+from helicoide.view.matrix_rows import written_matrix
 from helicoide.view.top_rows import LOOK, PROJECTOR, with_dark
 
 FINDINGS = Path(__file__).with_name("readable.js").read_text("utf-8")
 IN_VIEW = """element => { const spot = element.getBoundingClientRect();
   return spot.top >= 0 && spot.bottom <= innerHeight && spot.left >= 0 && spot.right <= innerWidth }"""
+WRITE = "html => { document.querySelector('.helicoide-matrix').outerHTML = html }"
 AT = "([x, y]) => document.elementFromPoint(x, y)?.tagName"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """A folder of the user for the recordings."""
+    tmp_path = tmp_path_factory.mktemp("user")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(content, "user_folder", lambda: tmp_path)
+        yield
 
 
 @pytest.fixture(params=["projector", "laptop", "phone"])
@@ -37,39 +51,49 @@ def page(browser: Browser, lab: Lab, request: pytest.FixtureRequest) -> Iterator
 
 def remaining(page: Page, touch: bool) -> list[str]:
     """What is found once the page has fitted its formulas and named its controls, which it does with a delay."""
-    for _ in range(20):
+    for _ in range(10):
         page.wait_for_timeout(300)
         if not (findings := page.evaluate(FINDINGS, touch)):
             break
     return list(findings)
 
 
+def widest(columns: int, language: Language) -> Markup:
+    """A matrix with the longest names and numbers that a Jacobian or an inverse has."""
+    rows, names = [untranslated("ωx [rad/s]")] * 6, [untranslated("q̇₈ [rad/s]")] * columns
+    values = np.resize([-8.8888, -0.8888, -8888.8, -88.888], (6, columns))
+    return written_matrix(NamedMatrix(values, tuple(rows), tuple(names), untranslated("")), language)
+
+
 def darken(lab: Lab, page: Page, on: bool) -> None:
     """Give the newest window the dark look or the light one."""
-    visitor = list(lab.session.visitors.values())[-1]
-    lab.session.loop.call_soon_threadsafe(visitor.reseat, partial(with_dark, on))
+    reseat(lab, partial(with_dark, on))
     page.wait_for_selector(f"html[data-mantine-color-scheme={'dark' if on else 'light'}]")
 
 
 def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
+    """With all folders open; the dark look is measured in one size, since the others have the same colours."""
     lab.reset(page)
-    lab.post(gate.choose_method("pseudoinverse"))
-    lab.post(gate.compare_with("damped"))
-    lab.post(to_singular_posture(lab.state))
-    until(page, lambda: lab.state.compared is not None and len(lab.state.compared.trace.times) > 1)
-    touch = page.viewport_size is not None and page.viewport_size["width"] < 400
+    furnish(lab, page)
+    width = page.viewport_size["width"] if page.viewport_size else 0
     found = {}
     for language in LANGUAGES:
         speak(lab, page, language)
         for panel in panels.all_panels():
             tab(page, panel.TITLE[language])
-            if findings := remaining(page, touch):
+            unfold(page)
+            if findings := remaining(page, width < 400):
                 found[language, panel.TITLE[language]] = findings
             until(page, lambda: page.evaluate(AT, [*pixels(page, lab.state.T_world_tool[:3, 3])]) == "CANVAS")
-            darken(lab, page, True)
-            if findings := remaining(page, touch):
-                found["dark", language, panel.TITLE[language]] = findings
-            darken(lab, page, False)
+            if width == 1366:
+                darken(lab, page, True)
+                if findings := remaining(page, False):
+                    found["dark", language, panel.TITLE[language]] = findings
+                darken(lab, page, False)
+        page.evaluate(WRITE, "".join(widest(columns, language) for columns in range(1, 9)))
+        if findings := remaining(page, False):
+            found[language, "matrices"] = findings
+        tab(page, panels.all_panels()[0].TITLE[language])  # one without charts, which take long to be built again
     assert not found
 
 

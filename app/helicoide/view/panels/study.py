@@ -89,7 +89,7 @@ def rows(robot: Robot) -> list[Row]:
         *(Plot(shown_charts, index) for index in range(MOST_CHARTS)),
         Folder(
             Text(en="Play on the arm", pt_BR="Reproduzir no braço"),
-            DependentRows(lambda view: tuple(motion.title for motion in view.study_panel.motions), _players),
+            DependentRows(_playable, _players),
         ),
         Checkbox(
             Text(en="Compare with previous run", pt_BR="Comparar com a execução anterior"),
@@ -120,8 +120,8 @@ def _about(view: View) -> Markup:
     anchor = study.SOURCE.partition(",")[0].lower().replace(" ", "-")
     has_page = f'id="{anchor}"' in errata.sources_page(language)
     of_source = PAGE.format(language, anchor, OPEN[language]) if has_page else Markup("")
-    about = Markup("<div class='helicoide-note'><p>{}</p><p>{}. {}</p></div>").format(
-        study.ABOUT[language], study.SOURCE, of_source
+    about = Markup("<div class='helicoide-note'><p><b>{}</b></p><p>{}</p><p>{}. {}</p></div>").format(
+        study.TITLE[language], study.ABOUT[language], study.SOURCE, of_source
     )
     return about if panel.failure is None else about + html.note(panel.failure[language])
 
@@ -146,10 +146,17 @@ def _settings(name: str) -> Sequence[Row]:
     )
 
 
-def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
+def _playable(view: View) -> tuple[Text, ...] | None:
+    """The titles of the motions of the last run; None before there is one."""
+    panel = view.study_panel
+    return tuple(motion.title for motion in panel.motions) if panel.shown_runs else None
+
+
+def _players(titles: tuple[Text, ...] | None) -> Sequence[Row]:
     """A button for each motion of the run."""
     if not titles:
-        return [HtmlRow(lambda view: html.note(NO_MOTION[view.seat.language]))]
+        said = NOT_RUN if titles is None else NO_MOTION
+        return [HtmlRow(lambda view: html.note(said[view.seat.language]))]
     return [_player(index, title) for index, title in enumerate(titles)]
 
 
@@ -157,6 +164,7 @@ def _player(index: int, title: Text) -> Button:
     return Button(lambda _: title, lambda view: Play(view.study_panel.motions[index]), Icon.PLAYER_PLAY)
 
 
+NOT_RUN = Text(en="Run the study first.", pt_BR="Execute o estudo primeiro.")
 NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não tem movimento para reproduzir.")
 
 

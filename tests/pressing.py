@@ -279,7 +279,8 @@ def lessons(lab: Lab) -> None:
             for step in read.steps:
                 lab.post(step.setup)
                 lab.pass_time(11)
-                step.goal(lab.state, lab.seat)
+                lesson.is_goal_met(step, lab.state, lab.seat)
+                lesson.mistake_made(step, lab.state, lab.seat)
 
 
 def panels_pressed(lab: Lab) -> None:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from helicoide import content, gate, lesson
-from helicoide.contributions import lessons
-from helicoide.contributions.lessons import TICK, played
+from helicoide.contributions import lesson_playing, lessons
+from helicoide.contributions.lesson_playing import TICK, played
 from helicoide.foresight import advance_with_search
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load_robot
@@ -37,7 +37,7 @@ STEPS = [step.id for step in lesson.load_lesson(FIRST).steps]
 
 def settled(state: State) -> State:
     """The state after a setup: the arm is at rest and has no command."""
-    rested = lessons.settled(state)
+    rested = lesson_playing.settled(state)
     assert rested is not None, f"the setup never came to rest: {state.request.command}"
     return rested
 

@@ -6,6 +6,7 @@ Only this module makes Markup from text that is not a literal. Everywhere else M
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from html import escape, unescape
@@ -18,9 +19,13 @@ from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from markupsafe import Markup
+from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # start of a drawing; only a separate file needs the namespace
+PLACEHOLDER = re.compile(r"\{([a-z][a-z0-9_]*)\}")
+ACTION = re.compile(r"[a-z]+:[a-z0-9_]+")  # the target of a link that does something, such as layer:twist
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
+_prose = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
 def markdown_to_html(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
@@ -29,6 +34,36 @@ def markdown_to_html(text: str, drawings: Mapping[str, str] = MappingProxyType({
     drawings: SVG by name; an image with that name is replaced by the SVG itself, which has the colour of the text.
     """
     return Markup(_markdown.render(text, {"drawings": drawings}))
+
+
+@lru_cache(maxsize=1024)
+def prose_to_html(text: str, pictures: tuple[tuple[str, str], ...] = (), inline: bool = False) -> tuple[Markup, ...]:
+    """The Markdown of a lesson as HTML and names of placeholders, in turn: HTML, name, HTML, …
+
+    `$…$` is a formula; a link to `layer:twist` or the like is a button with that as its `data-go`. pictures: SVG or
+    data URLs by name; inline: without a paragraph around it.
+    """
+    env = {"drawings": dict(pictures)}
+    written = _prose.renderInline(text, env) if inline else _prose.render(text, env)
+    return tuple(map(Markup, PLACEHOLDER.split(written)))
+
+
+def _formula(tex: str, options: Mapping[str, Any]) -> str:
+    return str(formula_to_mathml(tex))
+
+
+def _link_opens(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
+    target = str(tokens[at].attrs["href"])
+    if ACTION.fullmatch(target):
+        return f'<button type="button" class="helicoide-go" data-go="{target}">'
+    tokens[at].attrSet("target", "_blank")
+    tokens[at].attrSet("rel", "noopener")
+    return renderer.renderToken(tokens, at, options, env)
+
+
+def _link_closes(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
+    opening = next(token for token in reversed(tokens[:at]) if token.type == "link_open")
+    return "</button>" if ACTION.fullmatch(str(opening.attrs["href"])) else "</a>"
 
 
 def _heading(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
@@ -41,11 +76,18 @@ def _image(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: An
     drawing = env["drawings"].get(tokens[at].attrs["src"])
     if drawing is None:
         return renderer.image(tokens, at, options, env)
+    if drawing.startswith("data:"):
+        tokens[at].attrSet("src", drawing)
+        return renderer.image(tokens, at, options, env)
     return str(drawing).replace(SVG, f'<svg role="img" aria-label="{escape(tokens[at].content)}"', 1)
 
 
 _markdown.add_render_rule("heading_open", _heading)
 _markdown.add_render_rule("image", _image)
+_prose.use(dollarmath_plugin, renderer=_formula)
+_prose.add_render_rule("image", _image)
+_prose.add_render_rule("link_open", _link_opens)
+_prose.add_render_rule("link_close", _link_closes)
 
 
 @lru_cache(maxsize=256)

@@ -12,7 +12,7 @@ from tests.browser.test_methods import choose
 from helicoide import gate, lesson
 from helicoide.command import Replay
 from helicoide.geometry import rotation
-from helicoide.seat import AxisAngle, Playground, Selection
+from helicoide.seat import AxisAngle, Playground, Seat, Selection
 from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures
 from helicoide.sheet import sheet_of_text
@@ -214,10 +214,16 @@ def study_of_a_source(studio: Studio) -> None:
     studio.aim((0.3, -1.0, 0.9))
 
 
+def second_step(seat: Seat) -> Seat:
+    """The seat at the second step of the first lesson."""
+    found = lesson.load_lesson("drive_the_arm")
+    return lesson.turned_to(found, lesson.entered(seat, found.id), 1)
+
+
 def first_lesson(studio: Studio) -> None:
     """The second step of the first lesson."""
     studio.tab(lessons)
-    studio.sit(lambda seat: replace(lesson.entered(seat, "drive_the_arm"), step=1))
+    studio.sit(second_step)
     text = studio.page.locator(".helicoide-lesson")
     text.wait_for()
     studio.begin_with(text)

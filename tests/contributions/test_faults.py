@@ -12,7 +12,7 @@ import pytest
 from helicoide import content, contributions, lesson, studies
 from helicoide.contributions import Kind
 from helicoide.contributions.examples import EXAMPLES, NAME, made
-from helicoide.contributions.lessons import done
+from helicoide.contributions.lesson_playing import done
 from helicoide.contributions.methods import pairs
 from helicoide.ik import methods
 from helicoide.lesson import AtSeat

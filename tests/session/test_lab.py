@@ -17,6 +17,7 @@ from helicoide import gate, lesson
 from helicoide.command import HoldPosition
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
+from helicoide.lesson import StepWatch
 from helicoide.session import arms, bay
 from helicoide.session.display import Display
 from helicoide.session.lab import Lab
@@ -109,16 +110,16 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     (visitor,) = lab.visitors.values()
     in_lesson = lesson.entered(visitor.place.seat, "drive_the_arm")
     found = lesson.load_lesson("drive_the_arm")
-    for step in range(len(found.steps)):
-        seat = replace(in_lesson, step=step)
-        assert lesson.progressed(found, state(lab), seat) is seat
+    for number in range(len(found.steps)):
+        seat = lesson.turned_to(found, in_lesson, number)
+        assert lesson.judged_step(found, state(lab), seat, StepWatch(), 0.0) == (seat, StepWatch())
     hand.do(hand.page.give("Lesson", found.title.en))
     assert eventually(lambda: state(lab).robot.name == "movemaster")
     assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
-    visitor.place.seat = replace(visitor.place.seat, done=frozenset({"joint"}))
+    visitor.seat_as(lesson.progressed(found.steps[0], visitor.place.seat))
     lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
     assert eventually(lambda: visitor.place.seat.lesson is None)
-    assert not visitor.place.seat.done, "what was done was done on an arm that has gone"
+    assert visitor.place.seat.progress["drive_the_arm"].done == {"joint"}, "what was done stays done"
     lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
     assert eventually(lambda: state(lab).robot.name == "movemaster")
 

@@ -20,8 +20,8 @@ from helicoide.state import FittedCloud, State, initial_state
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.trajectory.waypoints import Waypoint
-from helicoide.view import layers, panels
-from helicoide.view.panels import lesson as lesson_panel
+from helicoide.view import layers, open_step, panels
+from helicoide.view.docked import lesson_rows
 from helicoide.view.panels import robot as robot_panel
 from helicoide.view.placed_rows import FAILED, place_rows
 from helicoide.view.window_view import View
@@ -67,7 +67,7 @@ def named(monkeypatch: pytest.MonkeyPatch, robot: Robot, request: pytest.Fixture
     """A scene, a lesson and a study, all of that name."""
     name = request.param
     guided = renamed(lesson.load_lesson("drive_the_arm"), name)
-    monkeypatch.setattr(lesson_panel, "load_lesson", lambda _: guided)
+    monkeypatch.setattr(open_step, "load_lesson", lambda _: guided)
     monkeypatch.setattr(robot_panel, "robot_titles", dict)
     monkeypatch.setattr(studies, "study_named", lambda _: study_named(name))
     monkeypatch.setattr(studies, "study_names", lambda: ["a study"])
@@ -92,6 +92,7 @@ def test_every_panel_shows_a_name_as_it_is(server: viser.ViserServer, named: Sta
     placed = [
         row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(named.robot), view, print)
     ]
+    placed += place_rows(server.gui, lesson_rows(named.robot, seat), view, print)
     for now in (view, replace(view, seat=replace(seat, selected=Selection("point", 0)))):
         for row in placed:
             row.refresh(now)

@@ -1,32 +1,45 @@
-"""Faults of the texts of a lesson: differences between the languages, and bold words that are not on the screen."""
+"""Faults of the texts of a lesson: differences between the languages, formulas, and bold words not on the screen."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 
 from helicoide.contributions.words import missing_words
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, Prose
+from helicoide.lesson import Lesson, Prose, Step, entered, turned_to
+from helicoide.lesson.links import link_targets
+from helicoide.lesson.prose import FORMULA, PICTURE, paragraphs, placeholders
+from helicoide.markup import formula_to_mathml
 from helicoide.state import initial_state
 from helicoide.text import LANGUAGES, Language, Text, join_texts
 from helicoide.view import page, panels
-from helicoide.view.panels.lesson import step_rows
-from helicoide.view.rows import Button, Checkbox, DependentRows, Dropdown, Folder, Row, Slider, VectorRow
+from helicoide.view.docked import lesson_rows
+from helicoide.view.rows import (
+    Button,
+    ButtonGroup,
+    Checkbox,
+    DependentRows,
+    Dropdown,
+    Folder,
+    Row,
+    Slider,
+    TextEntry,
+    VectorRow,
+)
 from helicoide.view.window import new_seat
 from helicoide.view.window_view import View
 
 SHORTEST_HINT = 20
 BOLD = re.compile(r"\*\*(.+?)\*\*")
 NUMBER = re.compile(r"[−]?\d+(?:[.,]\d+)?")
+# What a formula may write in another way in Portuguese.
+IN_PORTUGUESE = ((r"\operatorname{sen}", r"\sin"), (r"\operatorname{tg}", r"\tan"), ("{,}", "."), (r"\,", ""))
+WORDS_IN_FORMULA = re.compile(r"\\(?:text|mathrm)\{[^}]*\}")
 OF_STEP = Text(en="step {step}: {what}", pt_BR="passo {step}: {what}")
 TITLE = Text(en="the title of the lesson", pt_BR="o título da lição")
-PARTS = {
-    "title": Text(en="its title", pt_BR="o título"),
-    "body": Text(en="its text", pt_BR="o texto"),
-    "hint": Text(en="its hint", pt_BR="a dica"),
-}
+ABOUT = Text(en="ABOUT", pt_BR="ABOUT")
 HINT = Text(
     en="its hint has fewer than {n} characters in {language}",
     pt_BR="a dica tem menos de {n} caracteres em {language}",
@@ -38,9 +51,7 @@ UNLIKE = Text(
     en="{part} has other {what} in English than in Portuguese",
     pt_BR="{part} tem {what} diferentes em inglês e português",
 )
-PARAGRAPHS = Text(en="paragraphs", pt_BR="parágrafos")
-BOLDS = Text(en="words in bold", pt_BR="palavras em negrito")
-NUMBERS = Text(en="numbers", pt_BR="números")
+NO_FORMULA = Text(en="the page cannot show the formula {tex}", pt_BR="a página não consegue mostrar a fórmula {tex}")
 NOT_SHOWN = Text(
     en="bold is for words of the screen, and these are none of it in {language}: {words}",
     pt_BR="negrito é para palavras da tela, e estas não estão nela em {language}: {words}",
@@ -50,48 +61,101 @@ NOT_SHOWN = Text(
 def word_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
     """The faults of the texts of a lesson."""
     yield from missing_words(TITLE, lesson.title)
-    for step, prose in lesson.prose.items():
-        for fault in _of_prose(prose, robot):
-            yield OF_STEP.format(step=step, what=fault)
+    if lesson.about.en or lesson.about.pt_BR:
+        yield from missing_words(ABOUT, lesson.about, differ=True)
+    for number, step in enumerate(lesson.steps):
+        for fault in _of_step(lesson, number, step, robot):
+            yield OF_STEP.format(step=step.id, what=fault)
 
 
-def _of_prose(prose: Prose, robot: Robot) -> Iterator[Text]:
-    for name, part in PARTS.items():
-        text: Text = getattr(prose, name)
-        yield from missing_words(part, text, differ=True)
-        if name != "title" and (unlike := [*_unlike(text)]):
+def _of_step(lesson: Lesson, number: int, step: Step, robot: Robot) -> Iterator[Text]:
+    prose = lesson.prose[step.id]
+    for part, text in _parts(prose):
+        if text.en or text.pt_BR:
+            yield from missing_words(part, text, differ=True)
+        if unlike := [*_unlike(text)]:
             yield UNLIKE.format(part=part, what=join_texts(unlike, ", "))
+        yield from _formula_faults(text)
+    for option in prose.options:
+        yield from missing_words(OPTION, option)
     for language in LANGUAGES:
         if len(prose.hint[language]) <= SHORTEST_HINT:
             yield HINT.format(n=SHORTEST_HINT, language=language)
-        if re.search(r"(?m)^(#|>)", prose.body[language]):
+        if re.search(r"(?m)^(#|>)", prose.body[language] + "\n" + prose.task[language]):
             yield MARKS.format(language=language)
-        bold = set(BOLD.findall(prose.body[language] + "\n" + prose.hint[language]))
-        if missing := sorted(bold - screen_words(robot, language)):
+        bold = {word for _, text in _parts(prose) for word in BOLD.findall(text[language])}
+        if missing := sorted(bold - screen_words(robot, language) - step_words(lesson, number, robot, language)):
             yield NOT_SHOWN.format(language=language, words=", ".join(missing))
 
 
-def _unlike(text: Text) -> Iterator[Text]:
-    if len(re.split(r"\n\s*\n", text.en)) != len(re.split(r"\n\s*\n", text.pt_BR)):
-        yield PARAGRAPHS
-    if len(BOLD.findall(text.en)) != len(BOLD.findall(text.pt_BR)):
-        yield BOLDS
-    if _numbers(text.en) != _numbers(text.pt_BR):
-        yield NUMBERS
+OPTION = Text(en="an option", pt_BR="uma opção")
+HINT_OF = Text(en="the hint of {name}", pt_BR="a dica de {name}")
+
+
+def _parts(prose: Prose) -> Iterator[tuple[Text, Text]]:
+    """Each text of a step, with what it is called."""
+    yield Text(en="its title", pt_BR="o título"), prose.title
+    yield Text(en="its text", pt_BR="o texto"), prose.body
+    yield Text(en="its question", pt_BR="a pergunta"), prose.question
+    yield Text(en="what it reveals", pt_BR="o que ele revela"), prose.reveal
+    yield Text(en="its text after the question", pt_BR="o texto depois da pergunta"), prose.task
+    yield Text(en="its hint", pt_BR="a dica"), prose.hint
+    for name, hint in prose.hints.items():
+        yield HINT_OF.format(name=name), hint
 
 
 def _numbers(words: str) -> list[str]:
-    """The numbers in a text of either language, sorted, with a decimal point."""
-    return sorted(number.replace(",", ".") for number in NUMBER.findall(words))
+    """The numbers in a text of either language, sorted, with a decimal point; without those of formulas and links."""
+    plain = re.sub(r"\]\([^)]*\)", "]", FORMULA.sub("", words))
+    return sorted(number.replace(",", ".") for number in NUMBER.findall(plain))
+
+
+def _formulas(words: str) -> list[str]:
+    """The formulas in a text, sorted, without what differs between the languages."""
+    found = [match[0] for match in FORMULA.finditer(words)]
+    for ours, theirs in IN_PORTUGUESE:
+        found = [formula.replace(ours, theirs) for formula in found]
+    return sorted(WORDS_IN_FORMULA.sub("", formula) for formula in found)
+
+
+# What has to be the same in both languages.
+SAME: tuple[tuple[Text, Callable[[str], object]], ...] = (
+    (Text(en="paragraphs", pt_BR="parágrafos"), lambda words: len(paragraphs(words))),
+    (Text(en="words in bold", pt_BR="palavras em negrito"), lambda words: len(BOLD.findall(words))),
+    (Text(en="numbers", pt_BR="números"), _numbers),
+    (Text(en="values", pt_BR="valores"), lambda words: sorted(placeholders(words))),
+    (Text(en="formulas", pt_BR="fórmulas"), _formulas),
+    (Text(en="links", pt_BR="links"), lambda words: sorted(link_targets(words))),
+    (Text(en="pictures", pt_BR="figuras"), lambda words: sorted(PICTURE.findall(words))),
+)
+
+
+def _unlike(text: Text) -> Iterator[Text]:
+    """What differs between the languages."""
+    return (what for what, found in SAME if found(text.en) != found(text.pt_BR))
+
+
+def _formula_faults(text: Text) -> Iterator[Text]:
+    for formula in {match[0] for language in LANGUAGES for match in FORMULA.finditer(text[language])}:
+        try:
+            formula_to_mathml(formula.strip("$"))
+        except Exception:  # latex2mathml has no common class of its errors
+            yield NO_FORMULA.format(tex=formula)
 
 
 @lru_cache(maxsize=32)
 def screen_words(robot: Robot, language: Language) -> frozenset[str]:
     """The texts on the panels for a robot: titles of tabs, labels, buttons, options."""
     view = View(initial_state(robot), new_seat("", language, None))
-    rows = [*(row for panel in panels.all_panels() for row in panel.rows(robot)), *step_rows(robot, ())]
+    rows = [row for panel in panels.all_panels() for row in panel.rows(robot)]
     titles = [panel.TITLE[language] for panel in panels.all_panels()]
     return frozenset((page.STOP[language], *titles, *_labels(rows, view)))
+
+
+def step_words(lesson: Lesson, number: int, robot: Robot, language: Language) -> frozenset[str]:
+    """The texts of labels and buttons in a step."""
+    seat = turned_to(lesson, entered(new_seat("", language, None), lesson.id), number)
+    return frozenset(_labels(lesson_rows(robot, seat), View(initial_state(robot), seat)))
 
 
 def _labels(rows: Sequence[Row], view: View) -> Iterator[str]:
@@ -106,7 +170,11 @@ def _labels(rows: Sequence[Row], view: View) -> Iterator[str]:
                 yield from (label[language], *(shown[language] for _, shown in known))
             case Button(label):
                 yield label(view)[language]
+            case ButtonGroup(label, options):
+                yield from (label[language], *(shown[language] for _, shown in options))
             case Slider(label):
                 yield (label if isinstance(label, Text) else label(view))[language]
+            case TextEntry(label, button=button):
+                yield from (label[language], button[language])
             case Checkbox(label) | VectorRow(label):
                 yield label[language]

@@ -1,28 +1,29 @@
-"""Faults of a lesson: its texts in both languages, and its steps, which are played on its own robot."""
+"""Faults of a lesson: its texts in both languages, the names it uses, and its steps, played on its own robot."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from functools import partial
 from itertools import chain
 
 import numpy as np
 
 from helicoide import content, gate, lesson
-from helicoide.command import HoldPosition
+from helicoide.contributions.lesson_names import name_faults
+from helicoide.contributions.lesson_playing import LONGEST, done, played, settled
+from helicoide.contributions.lesson_values import value_faults
 from helicoide.contributions.lesson_words import word_faults
 from helicoide.contributions.loading import collected_faults
-from helicoide.foresight import advance_with_search
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import AtSeat, Lesson, Step
+from helicoide.lesson import Diagnosis, Lesson, Solution, Step, StepGoal
+from helicoide.lesson.watching import MISTAKEN_FOR
 from helicoide.seat import Seat
 from helicoide.state import State, Update, initial_state
 from helicoide.text import HelicoideError, Text
+from helicoide.view.window import new_seat
 
-TICK = 0.01
-LONGEST = 30.0  # s, for a setup to come to rest
+BETWEEN = 0.2  # s between two looks at a goal that has to hold
 OF_STEP = Text(en="step {step}: {what}", pt_BR="passo {step}: {what}")
 MOVES = Text(
     en="its setup moves the arm by itself; it may only ask, by functions of gate",
@@ -38,12 +39,29 @@ TOO_SOON = Text(
 )
 NO_SOLUTION = Text(en="it has no solution", pt_BR="falta a solução")
 UNSOLVED = Text(en="its solution does not reach its goal", pt_BR="a solução não chega ao objetivo")
+NOT_LONG = Text(
+    en="its goal does not hold for {seconds} s after its solution",
+    pt_BR="o objetivo não se mantém por {seconds} s depois da solução",
+)
 NEEDLESS = Text(
     en="its goal is met after {n} of the {count} parts of its solution: leave the others out",
     pt_BR="o objetivo é cumprido com {n} das {count} partes da solução: tire as outras",
 )
 NO_FALSE = Text(en="its goal answers {kind}, not True or False", pt_BR="o objetivo responde {kind}, não True ou False")
+OF_DIAGNOSIS = Text(en="diagnosis {name}: {what}", pt_BR="diagnóstico {name}: {what}")
+NO_WRONG = Text(en="it has no wrong path", pt_BR="falta o caminho errado")
+NOT_FOUND = Text(
+    en="its wrong path does not lead to it: {found} applies {seconds} s after it",
+    pt_BR="o caminho errado não leva a ele: {seconds} s depois dele, vale {found}",
+)
+NONE = Text(en="no diagnosis", pt_BR="nenhum diagnóstico")
+SOLVES = Text(en="its wrong path reaches the goal", pt_BR="o caminho errado chega ao objetivo")
+AT_ONCE = Text(en="it applies before anything is done", pt_BR="ele já vale antes de se fazer algo")
 BEFORE = Text(en="the end of the step before", pt_BR="onde termina o passo anterior")
+NOT_RESET = Text(
+    en="its goal is still met after its solution and a reset",
+    pt_BR="o objetivo continua cumprido depois da solução e de reiniciar o passo",
+)
 PARKED = Text(en="the parked arm", pt_BR="o braço estacionado")
 POSE = Text(en="the pose “{title}”", pt_BR="a postura “{title}”")
 
@@ -63,43 +81,50 @@ def faults(name: str) -> tuple[Text, ...]:
         robot = load_robot(found.robot)
     except HelicoideError as error:
         return (error.text,)
-    found_faults = chain(word_faults(found, robot), _whole(found, robot), _from_anywhere(found, robot))
-    return collected_faults(content.content_folder("lessons", name) / "lesson.py", found_faults)
-
-
-def played(state: State, seconds: float) -> State:
-    """The state after a number of seconds without requests."""
-    for _ in range(round(seconds / TICK)):
-        state = advance_with_search(state, TICK)
-    return state
-
-
-def settled(state: State) -> State | None:
-    """The state once the arm is at rest without a command; None if that takes longer than `LONGEST`."""
-    for _ in range(round(LONGEST)):
-        state = played(state, 1.0)
-        if isinstance(state.request.command, HoldPosition) and not state.arm.moving:
-            return state
-    return None
-
-
-def done(state: State, seat: Seat, part: tuple[Update | AtSeat, float]) -> tuple[State, Seat]:
-    """The state and the seat after one part of a solution."""
-    act, seconds = part
-    if isinstance(act, AtSeat):
-        return played(state, seconds), act.update(seat)
-    return played(act(state), seconds), seat
+    said = chain(
+        word_faults(found, robot), name_faults(found, robot), _whole(found, robot), _from_anywhere(found, robot)
+    )
+    return collected_faults(content.content_folder("lessons", name) / "lesson.py", said)
 
 
 def _whole(found: Lesson, robot: Robot) -> Iterator[Text]:
-    """The faults of the steps, each started where the one before has ended."""
-    state, seat = initial_state(robot), Seat(token="", language="en", lesson=found.id)
+    """The faults of the steps, each started where the one before has ended, with its wrong paths and its reset."""
+    state, seat = initial_state(robot), lesson.entered(new_seat("", "en", None), found.id)
     for number, step in enumerate(found.steps):
+        seat = lesson.with_step_shown(lesson.turned_to(found, seat, number), step)
         try:
             begun = _begun(step, state, seat, BEFORE)
-            state, seat = _solved(step, begun, replace(seat, step=number))
+            yield from (OF_STEP.format(step=step.id, what=fault) for fault in _begun_faults(found, step, begun, seat))
+            state, seat = _solved(step, begun, seat)
+            yield from (OF_STEP.format(step=step.id, what=fault) for fault in value_faults(found, step, state, seat))
+            _check_reset(step, state, lesson.with_step_shown(seat, step))
         except _Wrong as wrong:
             yield OF_STEP.format(step=step.id, what=wrong.text)
+        seat = lesson.without_step_shown(lesson.progressed(step, seat), step)
+
+
+def _begun_faults(found: Lesson, step: Step, begun: State, seat: Seat) -> Iterator[Text]:
+    yield from value_faults(found, step, begun, seat)
+    for diagnosis in step.diagnoses:
+        for fault in _diagnosis_faults(step, diagnosis, begun, seat):
+            yield OF_DIAGNOSIS.format(name=diagnosis.id, what=fault)
+
+
+def _diagnosis_faults(step: Step, diagnosis: Diagnosis, begun: State, seat: Seat) -> Iterator[Text]:
+    """The faults of a diagnosis: its wrong path must lead to it, and not to the goal."""
+    if _answer(diagnosis.when, begun, seat):
+        yield AT_ONCE
+    if not diagnosis.wrong:
+        yield NO_WRONG
+        return
+    state = begun
+    for part in diagnosis.wrong:
+        state, seat = done(state, seat, part)
+    state = played(state, MISTAKEN_FOR)
+    if _met(step, state, seat):
+        yield SOLVES
+    if (made := lesson.mistake_made(step, state, seat)) != diagnosis.id:
+        yield NOT_FOUND.format(found=made or NONE, seconds=MISTAKEN_FOR)
 
 
 def _from_anywhere(found: Lesson, robot: Robot) -> Iterator[Text]:
@@ -109,12 +134,14 @@ def _from_anywhere(found: Lesson, robot: Robot) -> Iterator[Text]:
     ]
     if robot.panes:
         ways.append((PARKED, partial(_arrived, robot, gate.park())))
+    entered = lesson.entered(new_seat("", "en", None), found.id)
     for start, way in ways:
         if (state := way()) is None:
             continue
-        for step in found.steps:
+        for number, step in enumerate(found.steps):
+            seat = lesson.with_step_shown(lesson.turned_to(found, entered, number), step)
             try:
-                _begun(step, state, Seat(token="", language="en", lesson=found.id), start)
+                _begun(step, state, seat, start)
             except _Wrong as wrong:
                 yield OF_STEP.format(step=step.id, what=wrong.text)
 
@@ -137,8 +164,17 @@ def _begun(step: Step, state: State, seat: Seat, start: Text) -> State:
     return begun
 
 
+def _check_reset(step: Step, state: State, seat: Seat) -> None:
+    """A step that is set up again after its solution begins anew."""
+    begun = settled(step.setup(state))
+    if begun is None or _met(step, begun, seat):
+        raise _Wrong(NOT_RESET)
+
+
 def _solved(step: Step, state: State, seat: Seat) -> tuple[State, Seat]:
     """The state and the seat after the solution. Every part of the solution has to be necessary."""
+    if step.goal is None:
+        return _after(step.solution, state, seat)
     if not step.solution:
         raise _Wrong(NO_SOLUTION)
     for n, part in enumerate(step.solution):
@@ -147,11 +183,25 @@ def _solved(step: Step, state: State, seat: Seat) -> tuple[State, Seat]:
         state, seat = done(state, seat, part)
     if not _met(step, state, seat):
         raise _Wrong(UNSOLVED)
-    return state, replace(seat, done=seat.done | {step.id})
+    for _ in range(round(step.held_for / BETWEEN)):
+        state = played(state, BETWEEN)
+        if not _met(step, state, seat):
+            raise _Wrong(NOT_LONG.format(seconds=step.held_for))
+    return state, seat
+
+
+def _after(solution: Solution, state: State, seat: Seat) -> tuple[State, Seat]:
+    for part in solution:
+        state, seat = done(state, seat, part)
+    return state, seat
 
 
 def _met(step: Step, state: State, seat: Seat) -> bool:
-    answer = step.goal(state, seat)
+    return step.goal is not None and _answer(step.goal, state, seat)
+
+
+def _answer(goal: StepGoal, state: State, seat: Seat) -> bool:
+    answer = goal(state, seat)
     if not isinstance(answer, bool | np.bool_):
         raise _Wrong(NO_FALSE.format(kind=type(answer).__name__))
     return bool(answer)

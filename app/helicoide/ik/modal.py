@@ -18,7 +18,7 @@ from helicoide.kinematics.manipulability import analyse_jacobian
 
 
 @dataclass(frozen=True, eq=False)
-class Diagnosis:
+class ModalDiagnosis:
     """Θ (n, r) in the singular vectors of J (r, n), p = min(n, r).
 
     sigma (p,); d (p,), which tends to 1/σᵢ; R (n, r), which tends to 0; rates (n, r), 1/s: the decay rates, 2γσᵢ² for
@@ -34,7 +34,7 @@ class Diagnosis:
     floor: float
 
 
-def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "composite") -> Diagnosis:
+def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "composite") -> ModalDiagnosis:
     """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s; update: the errors used, or their factors.
 
     Source: Vargas 2013, §4.4.
@@ -52,4 +52,4 @@ def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "com
     off = np.sum((rows[:, None] ** 2 + columns**2) * R**2) / 2
     V_c = float(np.sum((axes.sigma * d - 1) ** 2) + off + (r - p) / 2 + (n - p) / 2)
     rates = gain * (right * rows[:, None] ** 2 + left * columns**2)
-    return Diagnosis(axes.sigma, d, R, rates, V_c, (r - axes.rank) / 2 + (n - axes.rank) / 2)
+    return ModalDiagnosis(axes.sigma, d, R, rates, V_c, (r - axes.rank) / 2 + (n - axes.rank) / 2)

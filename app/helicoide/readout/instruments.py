@@ -13,7 +13,7 @@ from helicoide.ik import Reason, reasons
 from helicoide.ik.clik import tool_task_error
 from helicoide.ik.goal import pose_of_tool
 from helicoide.ik.methods import filtered, filtered_normal, named
-from helicoide.ik.modal import Diagnosis
+from helicoide.ik.modal import ModalDiagnosis
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.passage import passage_refusal
 from helicoide.ik.rcm.tip_task import passage_of
@@ -102,7 +102,7 @@ def near_singular(state: State) -> Text | None:
     return singularity(state.robot, state.arm.q, state.request.with_orientation).warning()
 
 
-def method_modes(state: State) -> Diagnosis | None:
+def method_modes(state: State) -> ModalDiagnosis | None:
     """The modal diagnosis of the filtered inverse that drives the arm; None if another method drives it."""
     drive = state.request.controller
     if not isinstance(drive.memory, filtered.Memory):

@@ -1,4 +1,4 @@
-"""What a person inspects in the scene, and the notation in which it is written."""
+"""What a person inspects in the scene, from where, and the notation in which it is written."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from helicoide.geometry.notation import BladeNaming
 SelectionKind = Literal["tool", "target", "link", "joint", "plane", "point", "frame", "entry", "path"]
 ShownAlgebra = Literal["Cl(0,3,1)", "Cl(3,0,1)"]
 """The algebra of the sources, or that of modern texts."""
+CameraPreset = Literal["front", "side", "top", "tool", "first"]
+"""Where the camera of a window may go."""
 
 
 @dataclass(frozen=True)

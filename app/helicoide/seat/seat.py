@@ -10,6 +10,7 @@ from helicoide.kinematics.stages import StageKind as Stages
 from helicoide.kinematics.workspace import MapKind
 from helicoide.seat.chart_choice import ChartChoice
 from helicoide.seat.inspection import Notation, Selection
+from helicoide.seat.lesson_progress import LessonProgress
 from helicoide.seat.playground import Playground
 from helicoide.sheet import Sheet, SheetHistory
 from helicoide.text import Language
@@ -25,25 +26,30 @@ class LinkedPosture:
 
 @dataclass(frozen=True)
 class Seat:
-    """One person: language, place in a lesson, selection and view settings.
+    """One person: language, progress in lessons, selection and view settings.
 
-    done: the steps whose goal has been reached; selected: the inspected object; coefficient: the blade of `CL031` whose
-    coefficient is explained; term_joint: the joint highlighted in “Why this number”, from 0; picked_points: the points,
-    m, world frame, clicked for a plane, None while no plane is picked; map_kind: the chosen map of the workspace; cut:
-    where maps are cut, −1 to 1 in units of the reach; stages: the formulation that is shown joint by joint, None for
-    none; cloud_unit: the length unit of cloud files, "" to detect it; projector: whether text and handles are large;
-    dark: whether the page is dark; transparent: whether the arm is; linked: the posture of a link that was opened;
-    move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
-    effector that a layer balances; charts: what the charts show; picture: the chosen size of pictures, a key of
-    `export_rows.PICTURES`; sheet: the lines of the console; sheet_history: their changes.
+    lesson: the open lesson, None for none; progress: in each lesson that was begun; hint_open: whether the general hint
+    of the step is shown; mistake: the diagnosis whose hint is shown; draft: an answer that is not given yet, as in
+    `PredictionAnswer.given`; outside: the seat as it was before the open lesson changed what is shown; selected: the
+    inspected object; coefficient: the blade of `CL031` whose coefficient is explained; term_joint: the joint
+    highlighted in “Why this number”, from 0; picked_points: the points, m, world frame, clicked for a plane, None while
+    no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of the
+    reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
+    files, "" to detect it; projector: whether text and handles are large; dark: whether the page is dark; transparent:
+    whether the arm is; linked: the posture of a link that was opened; move_type: how the next waypoint is reached from
+    the one before; wrench: force, N, and moment, N·m, on the end effector that a layer balances; charts: what the
+    charts show; picture: the chosen size of pictures, a key of `export_rows.PICTURES`; sheet: the lines of the console;
+    sheet_history: their changes.
     """
 
     token: str
     language: Language
     lesson: str | None = None
-    step: int = 0
-    done: frozenset[str] = frozenset()
+    progress: Mapping[str, LessonProgress] = field(default_factory=lambda: MappingProxyType({}))
     hint_open: bool = False
+    mistake: str | None = None
+    draft: tuple[float, ...] | None = None
+    outside: Seat | None = None
     selected: Selection | None = None
     coefficient: str | None = None
     term_joint: int | None = None
@@ -65,6 +71,11 @@ class Seat:
     picture: str = "page"
     sheet: Sheet = field(default=Sheet())
     sheet_history: SheetHistory = field(default=SheetHistory())
+
+    @property
+    def lesson_progress(self) -> LessonProgress | None:
+        """The progress in the open lesson; None without one."""
+        return None if self.lesson is None else self.progress.get(self.lesson, LessonProgress(self.lesson))
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

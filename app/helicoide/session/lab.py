@@ -30,6 +30,7 @@ from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, i
 from helicoide.view.link import (
     HelicoideFence,
     HelicoideFirstLesson,
+    HelicoideFollow,
     HelicoideMadeAt,
     HelicoideRedo,
     HelicoideUndo,
@@ -37,6 +38,7 @@ from helicoide.view.link import (
     connection_of,
 )
 from helicoide.view.panels.lesson import first_lesson
+from helicoide.view.prose_links import requests_of
 from helicoide.view.requests import PageRequest
 from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
@@ -76,7 +78,6 @@ class Lab:
         self.said = compiling(0)
         self._compilation = ProcessJob(compiled)
         self._signalled = False
-        self._judged = 0.0
         self._untidy = 0
 
     def open(self, host: str, port: int, origins: Collection[str] = (), framed: bool = False) -> int:
@@ -108,6 +109,7 @@ class Lab:
         self._furniture = self.loop.run_in_executor(None, preload, self.shared.workcell.state.robot)
         self._starting = self.loop.create_task(self._start())
         self._tidy()
+        self._judge()
 
     async def _start(self) -> None:
         """Prepare the kernels while the page is served already; then the arms use the compiled kernels."""
@@ -140,6 +142,12 @@ class Lab:
             gc.collect()
         self.loop.call_later(TIDIED, self._tidy)
 
+    def _judge(self) -> None:
+        """Judge the steps of the lessons, also those that wait while all arms are at rest."""
+        for visitor in self.visitors.values():
+            visitor.judge()
+        self.loop.call_later(JUDGED, self._judge)
+
     # Messages from the clock.
 
     def _changed(self) -> None:
@@ -155,10 +163,6 @@ class Lab:
                 bay.display.tell()
         for visitor in self.visitors.values() if self.ready else ():
             visitor.sample()
-        if monotonic() - self._judged > JUDGED:
-            self._judged = monotonic()
-            for visitor in self.visitors.values():
-                visitor.judge()
 
     def _news(self) -> None:
         """Have the rows of all windows updated, since something besides their arms may have changed."""
@@ -232,6 +236,9 @@ class Lab:
                 return
             case HelicoideFirstLesson():
                 visitor.window.act(first_lesson())
+            case HelicoideFollow():
+                for request in requests_of(message.target):
+                    visitor.window.act(request)
             case HelicoideUndo():
                 visitor.window.act(requests.Undo())
             case HelicoideRedo():
@@ -296,5 +303,5 @@ class Lab:
         """Another robot was loaded into a workcell."""
         for visitor in self.visitors.values():
             if visitor.bay.display is display:
-                visitor.meet()
+                self.requests.steps.meet(visitor)
                 self.recording.recordings.meet(visitor.place)

@@ -1,4 +1,4 @@
-"""Lessons and the current robot: a lesson is checked on its own robot, and left when another robot is loaded."""
+"""Lessons and the current robot: a lesson is judged on its own robot, and left when another robot is loaded."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from helicoide import lesson
+from helicoide.lesson import StepWatch
 from helicoide.seat import Seat
 from helicoide.state import State
+from helicoide.view.open_step import open_step
 
 log = logging.getLogger("helicoide")
 
@@ -18,21 +20,26 @@ def is_about(seat: Seat, robots: Collection[str]) -> bool:
     return seat.lesson is None or lesson.load_lesson(seat.lesson).robot in robots
 
 
+def without_lesson(seat: Seat) -> Seat:
+    """The seat without a lesson, and without what its step has shown."""
+    opened = open_step(seat)
+    return lesson.entered(seat if opened is None else lesson.without_step_shown(seat, opened.step), None)
+
+
 def seated_at(robots: Collection[str], seat: Seat) -> Seat:
-    """The seat for another robot: without selection and progress, and without a lesson about a third robot.
+    """The seat for another robot: without selection, and without a lesson about a third robot.
 
     robots: names of the current robot and of the one that is being loaded.
     """
-    seat = replace(seat, done=frozenset()) if is_about(seat, robots) else lesson.entered(seat, None)
-    return replace(seat.inspecting(None), picked_points=None)
+    return replace((seat if is_about(seat, robots) else without_lesson(seat)).inspecting(None), picked_points=None)
 
 
-def judged(seat: Seat, state: State) -> Seat:
-    """The seat with its step marked as done if the goal is met. A lesson whose goal raises is left."""
+def judged(seat: Seat, state: State, watch: StepWatch, now: float) -> tuple[Seat, StepWatch]:
+    """The seat with its step judged at a time, s of a clock. A lesson whose goal or diagnosis raises is left."""
     if seat.lesson is None:
-        return seat
+        return seat, StepWatch()
     try:
-        return lesson.progressed(lesson.load_lesson(seat.lesson), state, seat)
+        return lesson.judged_step(lesson.load_lesson(seat.lesson), state, seat, watch, now)
     except Exception:
-        log.exception("the goal of lesson %s failed", seat.lesson)
-        return lesson.entered(seat, None)
+        log.exception("the step of lesson %s could not be judged", seat.lesson)
+        return without_lesson(seat), StepWatch()

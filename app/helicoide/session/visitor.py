@@ -5,21 +5,24 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from time import monotonic
 
 import numpy as np
 
-from helicoide import gate, lesson
+from helicoide import gate
+from helicoide.arrays import Array
+from helicoide.lesson import StepWatch
 from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.readout.signals import needed_signals
-from helicoide.seat import SeatUpdate
+from helicoide.seat import Seat, SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
+from helicoide.session.step_setup import StepSetup
 from helicoide.sheet import Sheet, SheetHistory
-from helicoide.state import Drag
+from helicoide.state import Drag, State
 from helicoide.text import HelicoideError, Text
 from helicoide.view.channel import ControlChannel, Notice, share_link
 from helicoide.view.link_rows import with_linked
@@ -46,7 +49,10 @@ class Visitor:
     """A window, its place, and the bay of the workcell that it shows.
 
     address: that of its page; settled: whether the window is not moving to another workcell; moving: the task that
-    moves it; history: the last samples of the signals that the seat charts.
+    moves it; history: the last samples of the signals that the seat charts; setup, watch: of the open step; judged:
+    seat and state that were judged last; outlook: camera position and target, (3,) m each, before a lesson moved it;
+    lesson_arm: whether a lesson has moved the visitor to its own arm; progress_changed: called with the place when its
+    seat has other progress in lessons.
     """
 
     window: Window
@@ -56,6 +62,12 @@ class Visitor:
     settled: bool = False
     moving: asyncio.Task[None] | None = None
     history: SignalHistory = NO_SIGNAL_HISTORY
+    setup: StepSetup | None = None
+    watch: StepWatch = field(default_factory=StepWatch)
+    judged: tuple[Seat | None, State | None] = (None, None)
+    outlook: tuple[Array, Array] | None = None
+    lesson_arm: bool = False
+    progress_changed: Callable[[Place], object] = lambda place: None
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
@@ -95,7 +107,7 @@ class Visitor:
         """Show a workcell in the window."""
         self.bay, robots, self.history = bay, (bay.workcell.state.robot.name, bay.arms.wanted), NO_SIGNAL_HISTORY
         if not lessons.is_about(self.place.seat, robots):
-            self.place.seat = lessons.seated_at(robots, self.place.seat)
+            self.seat_as(lessons.seated_at(robots, self.place.seat))
         await bay.enter(self.window)
         if self.window.gone:
             self.detach()
@@ -204,35 +216,51 @@ class Visitor:
         return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None
 
     def reseat(self, update: SeatUpdate) -> None:
-        """Update the seat. A new step of a lesson loads the robot of the lesson, or sets up the arm.
-
-        A change of the sheet is recorded, so that it can be undone.
-        """
+        """Update the seat. A change of the sheet is recorded, so that it can be undone."""
         before, bay = self.place.seat, self.bay
         seat = update(before)
         if seat.sheet != before.sheet and seat.sheet_history is before.sheet_history:
             scene = len(bay.workcell.state.history.undo)
             seat = replace(seat, sheet_history=before.sheet_history.with_change(before.sheet, seat.sheet, scene))
-        self.place.seat = seat
-        if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
-            chosen = lesson.load_lesson(seat.lesson)
-            if chosen.robot != bay.workcell.state.robot.name:
-                bay.arms.change(chosen.robot)
-            else:
-                bay.workcell.ask(chosen.steps[seat.step].setup)
+        self.seat_as(seat)
         if bay.display is not None:
             bay.display.redraw()
 
     def meet(self) -> None:
-        """Adapt the seat to a new robot in the workcell: a lesson about it begins, any other lesson is left."""
+        """Adapt the seat to a new robot in the workcell: a lesson that is not about it is left."""
         robot = self.bay.workcell.state.robot.name
-        seat = self.place.seat = lessons.seated_at((robot, self.bay.arms.wanted), self.place.seat)
-        if seat.lesson and (chosen := lesson.load_lesson(seat.lesson)).robot == robot:
-            self.bay.workcell.ask(chosen.steps[seat.step].setup)
+        self.seat_as(lessons.seated_at((robot, self.bay.arms.wanted), self.place.seat))
 
     def judge(self) -> None:
-        """Mark the step of the lesson as done if its goal is met."""
-        judged = lessons.judged(self.place.seat, self.bay.workcell.state)
-        if judged is not self.place.seat:
-            self.place.seat = judged
-            self.write()
+        """Judge the step of the lesson, unless nothing has changed since the last time and time alone changes nothing.
+
+        A step that is done is marked, an answer is revealed, and a mistake is explained.
+        """
+        seat, state = self.place.seat, self.bay.workcell.state
+        if self.setup is not None and self.setup.is_under_way(state):
+            return
+        if self.judged[0] is seat and self.judged[1] is state and not self.watch.is_waiting:
+            return
+        after, self.watch = lessons.judged(seat, state, self.watch, monotonic())
+        self.judged = after, state
+        if after is not seat:
+            self.seat_as(after)
+            if self.bay.display is not None:
+                self.bay.display.redraw()
+
+    def seat_as(self, seat: Seat) -> None:
+        """Replace the seat. A change of the progress in lessons is passed on."""
+        before, self.place.seat = self.place.seat, seat
+        if seat.progress is not before.progress:
+            self.progress_changed(self.place)
+
+    def keep_outlook(self) -> None:
+        """Remember where the camera is before a lesson moves it."""
+        camera = self.window.client.camera
+        self.outlook = self.outlook or (np.array(camera.position), np.array(camera.look_at))
+
+    def look_as_before(self) -> None:
+        """Move the camera back to where it was before a lesson moved it."""
+        if self.outlook is not None:
+            self.window.look(*self.outlook)
+            self.outlook = None

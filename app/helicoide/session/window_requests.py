@@ -8,6 +8,7 @@ from collections.abc import Callable
 from helicoide.gate.undoing import REDONE, UNDONE
 from helicoide.session.bay import Bays
 from helicoide.session.exporting import Exporting
+from helicoide.session.lesson_steps import LessonSteps
 from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
@@ -36,16 +37,21 @@ class WindowRequests:
     ) -> None:
         self.bays, self.studies, self.recording, self.exporting = bays, studies, recording, exporting
         self.view, self.news = view, news
+        self.steps = LessonSteps(bays, self._move)
 
     def do(self, visitor: Visitor, request: PageRequest) -> None:
         """Carry out a request of a window."""
         match request:
             case requests.ForSeat(update):
+                before = visitor.place.seat
                 try:
                     visitor.reseat(update)
+                    self.steps.follow(visitor, before)
                 except HelicoideError as refusal:
                     visitor.window.tell(refusal.text)
                 self.news()
+            case requests.ResetStep():
+                self.steps.begin(visitor)
             case requests.Undo() if (change := self.view(visitor.window).sheet_undo) is not None:
                 visitor.return_sheet(with_sheet_undone, UNDONE.format(what=change.title))
             case requests.Redo() if (change := self.view(visitor.window).sheet_redo) is not None:

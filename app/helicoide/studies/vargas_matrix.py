@@ -75,7 +75,7 @@ class FilterPath:
         """‖Θ − K†‖, (k,)."""
         return np.asarray(np.linalg.norm(self.Theta - np.linalg.pinv(self.K), axis=(1, 2)))
 
-    def seen(self, gain: float) -> list[modal.Diagnosis]:
+    def seen(self, gain: float) -> list[modal.ModalDiagnosis]:
         """The modal diagnosis of each."""
         return [modal.diagnosed(self.K, Theta, gain) for Theta in self.Theta]
 

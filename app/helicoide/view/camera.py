@@ -9,9 +9,9 @@ from typing import get_args
 import numpy as np
 
 from helicoide.arrays import Array
+from helicoide.seat import CameraPreset
 from helicoide.state import State
 from helicoide.text import Text
-from helicoide.view.requests import CameraPreset
 from helicoide.view.scene import outlook
 
 PRESETS: Mapping[CameraPreset, Text] = MappingProxyType(

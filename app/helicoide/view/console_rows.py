@@ -45,15 +45,22 @@ def console_rows() -> Folder:
     """All rows of the console."""
     rows: list[Row] = [
         HtmlRow(lambda view: html.note(ABOUT_CONSOLE[view.seat.language])),
-        _entry(),
-        HtmlRow(entry_help),
-        HtmlRow(result_list, computed=True),
-        Folder(Text(en="Sliders", pt_BR="Controles deslizantes"), DependentRows(_slider_names, _sliders)),
+        *console_line_rows(),
         Folder(Text(en="Change a line", pt_BR="Mudar uma linha"), _line_rows(), open=False),
         Folder(Text(en="Names and functions", pt_BR="Nomes e funções"), _help_rows(), open=False),
         Folder(Text(en="Sheets", pt_BR="Folhas"), _sheet_rows(), open=False),
     ]
     return Folder(TITLE_OF_CONSOLE, rows, open=False)
+
+
+def console_line_rows() -> list[Row]:
+    """The text field of the console with the results, and the sliders of the names."""
+    return [
+        _entry(),
+        HtmlRow(entry_help),
+        HtmlRow(result_list, computed=True),
+        Folder(Text(en="Sliders", pt_BR="Controles deslizantes"), DependentRows(_slider_names, _sliders)),
+    ]
 
 
 def _changed(change: Callable[[Sheet], Sheet]) -> ForSeat:

@@ -1,13 +1,17 @@
-"""The current step of a lesson, in a panel at the left edge of a window."""
+"""The open lesson, in a panel at the left edge of a window: its current step, or the summary after the last one."""
 
 from __future__ import annotations
 
 import viser
 
-from helicoide.lesson import load_lesson
-from helicoide.view.panels.lesson import step_rows
+from helicoide.kinematics.robot import Robot
+from helicoide.seat import Seat
+from helicoide.view.lesson_rows import step_rows
+from helicoide.view.lesson_summary import summary_rows
+from helicoide.view.open_step import lesson_of, open_step
 from helicoide.view.placed_rows import WindowRow, place_rows
 from helicoide.view.requests import Act
+from helicoide.view.rows import Row
 from helicoide.view.window_view import View
 
 WIDTH, LARGE = 320.0, 480.0  # px; LARGE on a projector
@@ -37,22 +41,30 @@ class DockedLesson:
         while self.rows:
             self.rows.pop().remove()
         self.key = key
-        if not key or view.seat.lesson is None:
+        lesson = lesson_of(view.seat)
+        if not key or lesson is None:
             return
         if self.panel is None:
             self.panel = self.gui.add_panel()
-            self.tab = self.panel.add_tab(load_lesson(view.seat.lesson).title[view.seat.language])
+            self.tab = self.panel.add_tab(lesson.title[view.seat.language])
             self.panel.dock_left()
             self.panel.expand()  # on a phone it is a section of the bottom sheet
             self.panel.set_width(LARGE if view.seat.projector else WIDTH)
-        joints = load_lesson(view.seat.lesson).steps[view.seat.step].joints
         with self.tab:
-            self.rows = place_rows(self.gui, step_rows(view.state.robot, joints), view, self.act)
+            self.rows = place_rows(self.gui, lesson_rows(view.state.robot, view.seat), view, self.act)
+
+
+def lesson_rows(robot: Robot, seat: Seat) -> list[Row]:
+    """The rows of the open step, or of the summary."""
+    opened = open_step(seat)
+    return summary_rows() if opened is None else step_rows(robot, opened, seat.language)
 
 
 def _key(view: View) -> tuple[object, ...]:
     """What the panel depends on; empty if there is no lesson, or its robot is not loaded yet."""
-    seat, robot = view.seat, view.state.robot
-    if seat.lesson is None or load_lesson(seat.lesson).robot != robot.name:
+    seat, lesson = view.seat, lesson_of(view.seat)
+    if lesson is None or lesson.robot != view.state.robot.name or seat.lesson_progress is None:
         return ()
-    return seat.language, seat.lesson, seat.projector, seat.step
+    opened = open_step(seat)
+    is_answered = opened is not None and opened.answer is not None
+    return seat.language, seat.lesson, seat.projector, seat.lesson_progress.step, is_answered

@@ -39,6 +39,13 @@ class HelicoideFirstLesson(Message, include_in_scene_serialization=False):
 
 
 @dataclass
+class HelicoideFollow(Message, include_in_scene_serialization=False):
+    """The user presses a button within the text of a lesson, such as that of "layer:twist"."""
+
+    target: str
+
+
+@dataclass
 class HelicoideUndo(Message, include_in_scene_serialization=False):
     """The user undoes the last change by the keyboard."""
 
@@ -48,7 +55,7 @@ class HelicoideRedo(Message, include_in_scene_serialization=False):
     """The user makes the change again that was undone last, by the keyboard."""
 
 
-PageMessage = HelicoideFence | HelicoideMadeAt | HelicoideFirstLesson | HelicoideUndo | HelicoideRedo
+PageMessage = HelicoideFence | HelicoideMadeAt | HelicoideFirstLesson | HelicoideFollow | HelicoideUndo | HelicoideRedo
 
 
 @dataclass

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from markupsafe import Markup
 
-from helicoide.ik.modal import Diagnosis
+from helicoide.ik.modal import ModalDiagnosis
 from helicoide.readout import method_modes
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
@@ -46,7 +46,7 @@ def mode_table(view: View) -> Markup:
     return html.note(ABOUT[language]) + _table(found, language) + html.note(left[language])
 
 
-def _table(found: Diagnosis, language: Language) -> Markup:
+def _table(found: ModalDiagnosis, language: Language) -> Markup:
     with np.errstate(divide="ignore"):
         times = 1 / found.rates.diagonal()
     lines = (

@@ -64,7 +64,7 @@ TAGS = Markup(
     '<link rel="stylesheet" href="static/inspector.css" /><script src="static/copy.js" defer></script>'
     '<script src="static/helicoide.js" data-words="{}" defer></script>'
     '<script src="static/layout.js" defer></script><script src="static/diagram.js" defer></script>'
-    '<script src="static/share.js" defer></script>'
+    '<script src="static/share.js" defer></script><script src="static/prose.js" defer></script>'
     '<script src="static/transparent.js" defer></script>'
     '<script src="static/keyboard.js" data-words="{}" defer></script>'
     '<link rel="stylesheet" href="static/hint.css" /><script src="static/hint.js" data-words="{}" defer></script>'

@@ -9,14 +9,13 @@ from helicoide import gate
 from helicoide.ik import methods
 from helicoide.kinematics.library import robot_titles
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import entered
+from helicoide.lesson import all_lessons, entered
 from helicoide.seat import Seat
 from helicoide.studies import panel_state
 from helicoide.text import Text
 from helicoide.view import layers, panels
 from helicoide.view.camera import PRESETS
 from helicoide.view.page import STOP
-from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
 from helicoide.view.plan_rows import DISCARD, EXECUTE
@@ -94,7 +93,7 @@ def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
         yield METHOD.format(title=methods.named(name).TITLE), ForArm(gate.choose_method(name))
     for layer in layers.optional():
         yield LAYER.format(title=layer.TITLE), ForSeat(partial(_toggled, layer.NAME))
-    for lesson in lessons():
+    for lesson in all_lessons():
         yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
     for name, title in studies_by_source():
         yield STUDY.format(title=title), ForStudyPanel(panel_state.with_study(name))

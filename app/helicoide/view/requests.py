@@ -9,13 +9,11 @@ from typing import Literal
 from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
 from helicoide.recorder.panel_state import RecordingPanelUpdate
-from helicoide.seat import SeatUpdate
+from helicoide.seat import CameraPreset, SeatUpdate
 from helicoide.state import Update
 from helicoide.studies.panel_state import StudyPanelUpdate
 from helicoide.studies.study import Motion
 from helicoide.text import Text
-
-CameraPreset = Literal["front", "side", "top", "tool", "first"]
 
 
 @dataclass(frozen=True)
@@ -142,6 +140,11 @@ class SaveRecording:
 
 
 @dataclass(frozen=True)
+class ResetStep:
+    """A request to set up the open step of the lesson again."""
+
+
+@dataclass(frozen=True)
 class Stop:
     """A request to stop all motion."""
 
@@ -245,6 +248,7 @@ PageRequest = (
     | PlayTaught
     | PlayFastest
     | RecordingRequest
+    | ResetStep
     | Stop
     | Undo
     | Redo

@@ -72,7 +72,7 @@ def encode_link(shared: SharedView | Sheet) -> str:
         "robot": shared.posture.robot,
         "q": _numbers(shared.posture.q),
         "camera": _numbers([*shared.camera[0], *shared.camera[1]]),
-        "tab": _tab_names()[shared.tab],
+        "tab": panels.panel_names()[shared.tab],
         **({SHEET: packed_sheet(shared.sheet)} if shared.sheet != Sheet() else {}),
         "end": "1",
     }
@@ -91,19 +91,19 @@ def decode_link(text: str) -> SharedView | Sheet:
         raise HelicoideError(CUT)
     if parts["robot"] not in robot_titles():
         raise HelicoideError(NO_ARM.format(known=", ".join(robot_titles())))
-    if parts["tab"] not in _tab_names():
-        raise HelicoideError(NO_TAB.format(known=", ".join(_tab_names())))
+    if parts["tab"] not in panels.panel_names():
+        raise HelicoideError(NO_TAB.format(known=", ".join(panels.panel_names())))
     q, camera = _read("q", parts["q"]), _read("camera", parts["camera"], 6)
     if np.linalg.norm(camera[:3] - camera[3:]) < 1e-6:
         raise HelicoideError(BAD_NUMBERS.format(part="camera", count=6))
     posture = LinkedPosture(parts["robot"], tuple(q.tolist()))
     sheet = unpacked_sheet(parts[SHEET]) if SHEET in parts else Sheet()
-    return SharedView(posture, (camera[:3], camera[3:]), _tab_names().index(parts["tab"]), sheet)
+    return SharedView(posture, (camera[:3], camera[3:]), panels.panel_names().index(parts["tab"]), sheet)
 
 
 def console_tab() -> int:
     """The number of the tab that has the console."""
-    return _tab_names().index("algebra")
+    return panels.panel_names().index("algebra")
 
 
 def _parts(text: str) -> dict[str, str]:
@@ -118,10 +118,6 @@ def _parts(text: str) -> dict[str, str]:
     if len(parts) != len(pairs):
         raise HelicoideError(CUT)
     return parts
-
-
-def _tab_names() -> list[str]:
-    return [panel.__name__.rpartition(".")[2] for panel in panels.all_panels()]
 
 
 def _numbers(values: Sequence[float]) -> str:

@@ -15,6 +15,7 @@ from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPosition
 
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.lesson import entered
 from helicoide.seat import LinkedPosture, Seat
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import bind, layers, panels
@@ -23,6 +24,7 @@ from helicoide.view.channel import share_link, show_tab
 from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
+from helicoide.view.open_step import step_camera
 from helicoide.view.palette import palette
 from helicoide.view.placed_rows import WindowRow, place_rows
 from helicoide.view.requests import CopyLink, Look, PageRequest, ShowTab
@@ -57,7 +59,8 @@ WEIGHT = 1.6
 def new_seat(token: str, language: Language, lesson: str | None, projector: bool = False, dark: bool = False) -> Seat:
     """A new seat; each optional layer is shown or hidden by its own default."""
     shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
-    return Seat(token=token, language=language, lesson=lesson, visible_layers=shows, projector=projector, dark=dark)
+    seat = Seat(token=token, language=language, visible_layers=shows, projector=projector, dark=dark)
+    return entered(seat, lesson)
 
 
 def preload(robot: Robot) -> None:
@@ -145,7 +148,15 @@ class Window:
         self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who, self.weight), shared=False)
         if self.looks_at is not robot:
             self.looks_at = robot
-            self.look(*outlook(robot, upright=self.client.camera.aspect < 1.0))
+            self._look_first(view)
+
+    def _look_first(self, view: View) -> None:
+        """Look at a new arm, from where the open step of a lesson shows it if it says so."""
+        camera, preset = self.client.camera, step_camera(view)
+        if preset is None:
+            self.look(*outlook(view.state.robot, upright=camera.aspect < 1.0))
+        else:
+            self.look(*camera_pose(preset, view.state, camera.fov, camera.aspect))
 
     async def _restage(self, view: View) -> None:
         """Replace this window's own layers by larger or smaller ones."""

@@ -13,7 +13,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem, filtered_inverse
 from helicoide.ik.filtered_inverse import Parts, Step, Update
 from helicoide.ik.method import OnDemand, OneOf, Promise, Quantity, Solution, Task, YesNo
-from helicoide.ik.modal import Diagnosis, diagnosed
+from helicoide.ik.modal import ModalDiagnosis, diagnosed
 from helicoide.text import Text
 
 TITLE = Text(en="filtered inverse", pt_BR="inversa filtrada")
@@ -135,7 +135,7 @@ def updated(task: Task, memory: Memory, options: Options) -> Memory:
     return Memory(frozen(following), J)
 
 
-def filter_modes(memory: Memory, options: Options) -> Diagnosis | None:
+def filter_modes(memory: Memory, options: Options) -> ModalDiagnosis | None:
     """Θ in the singular directions of the previous Jacobian; None before the first step. Source: Vargas 2013, §4.4."""
     if memory.before is None:
         return None

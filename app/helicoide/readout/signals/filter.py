@@ -18,7 +18,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.methods import filtered
-from helicoide.ik.modal import Diagnosis
+from helicoide.ik.modal import ModalDiagnosis
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.readout.instruments import method_modes
 from helicoide.readout.signal import PhasePlane, Signal, scalar, subscript
@@ -36,7 +36,7 @@ PRESET = ("inversion error", "norm of Θ", "filter σd", "phase d")
 
 
 @lru_cache(maxsize=8)  # the signals of one state share it
-def _modes(state: State) -> Diagnosis | None:
+def _modes(state: State) -> ModalDiagnosis | None:
     return method_modes(state)
 
 
@@ -63,7 +63,7 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
 
 def _modal(n: int) -> Iterator[Signal]:
     """σᵢ, dᵢ and σᵢdᵢ, with as many curves as joints; those beyond min(r, n) are NaN."""
-    modes: dict[str, tuple[Text, str, Callable[[Diagnosis], Array]]] = {
+    modes: dict[str, tuple[Text, str, Callable[[ModalDiagnosis], Array]]] = {
         "filter σ": (Text(en="Singular values in the filter", pt_BR="Valores singulares no filtro"), "σ", _sigma),
         "filter d": (Text(en="Diagonal terms of Θ", pt_BR="Termos diagonais de Θ"), "d", lambda found: found.d),
         "filter σd": (
@@ -77,11 +77,11 @@ def _modal(n: int) -> Iterator[Signal]:
         yield Signal(name, title, symbol, "", curves, _padded(read, n), positive=name == "filter σ")
 
 
-def _sigma(found: Diagnosis) -> Array:
+def _sigma(found: ModalDiagnosis) -> Array:
     return found.sigma
 
 
-def _padded(read: Callable[[Diagnosis], Array], n: int) -> Callable[[State], Array]:
+def _padded(read: Callable[[ModalDiagnosis], Array], n: int) -> Callable[[State], Array]:
     """A modal quantity as (n,), NaN beyond its length and without a filter."""
 
     def values(state: State) -> Array:

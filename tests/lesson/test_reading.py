@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from helicoide import content, lesson
-from helicoide.foresight import advance_with_search
-from helicoide.kinematics.library import load_robot
-from helicoide.lesson import Lesson, Step
-from helicoide.seat import Seat
-from helicoide.state import initial_state
-from helicoide.text import LANGUAGES, HelicoideError, untranslated
+from helicoide.text import LANGUAGES, HelicoideError
 
 GOOD = """
 from helicoide.lesson import Step
@@ -49,6 +45,7 @@ def test_a_lesson_of_ones_own_is_found(folder: Path) -> None:
     tour = lesson.load_lesson("tour")
     assert [step.id for step in tour.steps] == ["first", "second"]
     first = tour.prose["first"]
+    assert (tour.about.en, tour.needs, tour.sources, tour.own_arm) == ("", (), (), False)
     assert (first.title.en, first.body.pt_BR, first.hint.en) == ("One", "Text.\n\nMore.", "Hint\non two lines.")
     assert lesson.load_lesson("tour") is tour
 
@@ -132,12 +129,103 @@ def test_an_unknown_lesson_lists_those_there_are(folder: Path) -> None:
         lesson.load_lesson("detour")
 
 
-def test_a_met_goal_stays_done_and_only_its_own() -> None:
-    seat = Seat(token="", language="en")
-    step = Step("a", lambda state: state, lambda state, seat: state.t > 0, ())
-    tour = Lesson("tour", untranslated("Tour"), "movemaster", (step, step), {})
-    start = initial_state(load_robot("movemaster"))
-    assert lesson.progressed(tour, start, seat) is seat
-    done = lesson.progressed(tour, advance_with_search(start, 0.01), seat)
-    assert done.done == {"a"}
-    assert lesson.progressed(tour, start, done) is done
+FULL = """
+from helicoide.lesson import Choice, Diagnosis, Estimate, Order, Step, Value
+from helicoide.text import Text
+TITLE = Text(en="Tour", pt_BR="Passeio")
+ABOUT = Text(en="A walk.", pt_BR="Um passeio.")
+ROBOT = "movemaster"
+NEEDS = ("drive_the_arm",)
+SOURCES = ("Cerbaro 2022",)
+OWN_ARM = True
+VALUES = {"height": Value(lambda state, seat: state.T_world_tool[2, 3], "mm")}
+STEPS = (
+    Step(
+        "first",
+        lambda state: state,
+        prediction=Choice(right=1),
+        diagnoses=(Diagnosis("slip", lambda state, seat: False, ()),),
+    ),
+)
+"""
+FULL_PAGE = """\
+## first: One
+
+Height {height}, $e^{\\theta}$ ![A drawing](drawing.svg).
+
+? Up?
+- yes
+- no
+
+! No.
+
+Now look.
+
+> General.
+
+> slip: Wrong way.
+"""
+
+
+@pytest.fixture
+def full(folder: Path) -> Path:
+    """A lesson with everything that a lesson may have."""
+    (folder / "lesson.py").write_text(FULL, encoding="utf-8")
+    for language in LANGUAGES:
+        (folder / f"{language}.md").write_text(FULL_PAGE, encoding="utf-8")
+    (folder / "drawing.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"></svg>', encoding="utf-8")
+    return folder
+
+
+def test_everything_of_a_lesson_is_read(full: Path) -> None:
+    tour = lesson.load_lesson("tour")
+    assert (tour.about.pt_BR, tour.needs, tour.own_arm) == ("Um passeio.", ("drive_the_arm",), True)
+    assert [*tour.values] == ["height"]
+    assert tour.pictures["drawing.svg"].startswith("<svg")
+    first = tour.prose["first"]
+    assert [option.en for option in first.options] == ["yes", "no"]
+    assert (first.reveal.en, first.task.en, first.hint.en) == ("No.", "Now look.", "General.")
+    assert first.hints["slip"].en == "Wrong way."
+
+
+MISMATCHES = {
+    "an unknown value": ("{height}", "{depth}", "depth in braces is no value"),
+    "no question": ("? Up?\n- yes\n- no\n", "", "needs a question"),
+    "no answer": ("! No.", "", "needs a question"),
+    "one option": ("- no\n", "", "has 1 options"),
+    "no hint of a mistake": ("> slip: Wrong way.", "", "hint of the diagnosis slip"),
+    "a hint in the middle": ("Now look.", "> Look.\n\nNow look.", "not so: 'Now look.'"),
+    "another option in one language": ("- no\n", "- no\n- who knows\n", "has 3 options"),
+    "no such picture": ("drawing.svg", "other.svg", "no such file"),
+    "a picture elsewhere": ("drawing.svg", "../drawing.svg", "the picture ../drawing.svg"),
+    "no picture": ("drawing.svg", "lesson.py", "the picture lesson.py"),
+}
+
+
+@pytest.mark.parametrize("case", MISMATCHES)
+def test_a_page_that_does_not_match_its_steps_is_refused(full: Path, case: str) -> None:
+    old, new, said = MISMATCHES[case]
+    assert old in FULL_PAGE
+    (full / "pt_BR.md").write_text(FULL_PAGE.replace(old, new), encoding="utf-8")
+    with pytest.raises(HelicoideError, match=re.escape(said)):
+        lesson.load_lesson("tour")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('ABOUT = Text(en="A walk.", pt_BR="Um passeio.")', 'ABOUT = "A walk."', "ABOUT is of another type"),
+        ('NEEDS = ("drive_the_arm",)', 'NEEDS = "drive_the_arm"', "NEEDS is of another type"),
+        ("OWN_ARM = True", "OWN_ARM = 1", "OWN_ARM is of another type"),
+        ("VALUES = {", "VALUES = {'a': 1, ", "VALUES is of another type"),
+        ("Choice(right=1)", "None", "no prediction in lesson.py"),
+        ("Choice(right=1)", "Choice(right=2)", "needs at least 3"),
+        ("Choice(right=1)", "Order(right=(0, 1))", "in the right order already"),
+        ("Choice(right=1)", "Estimate(lambda state, seat: 1.0, 'mm', 1.0)", "needs 0"),
+    ],
+)
+def test_a_lesson_of_another_form_is_refused(full: Path, old: str, new: str, said: str) -> None:
+    assert old in FULL
+    (full / "lesson.py").write_text(FULL.replace(old, new), encoding="utf-8")
+    with pytest.raises(HelicoideError, match=re.escape(said)):
+        lesson.load_lesson("tour")

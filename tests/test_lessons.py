@@ -29,6 +29,18 @@ def test_a_lesson_is_what_is_asked_of_one(name: str) -> None:
     assert [fault.en for fault in lessons.faults(name)] == []
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_a_lesson_is_long_enough_and_asks_enough(name: str) -> None:
+    """Of one that comes with the program: six steps, two predictions, an open task, three wrong paths, its sources."""
+    found = lesson.load_lesson(name)
+    assert len(found.steps) >= 6
+    assert sum(step.prediction is not None for step in found.steps) >= 2
+    assert any(step.is_open for step in found.steps)
+    assert sum(len(step.diagnoses) for step in found.steps) >= 3
+    assert found.about.en
+    assert found.sources
+
+
 # Lesson "Drive the arm": its starts, the drags that its goals accept, and those that they must not accept.
 
 FIRST = "drive_the_arm"
@@ -67,7 +79,8 @@ def test_a_step_starts_from_anywhere(step_id: str, seat: Seat) -> None:
         assert begun.request.with_orientation
         assert begun.notice is None
         assert np.allclose(begun.arm.q, robot().poses["ready"], atol=2e-3)
-        assert not step.goal(begun, seat)
+        assert not lesson.is_goal_met(step, begun, seat)
+        assert lesson.mistake_made(step, begun, seat) is None
 
 
 @cache
@@ -94,7 +107,7 @@ def drive(step_id: str) -> Callable[[Update, float], bool]:
 
     def reached(request: Update, seconds: float) -> bool:
         state = played(request(settled(step.setup(initial_state(robot())))), seconds)
-        return step.goal(state, Seat(token="", language="en"))
+        return lesson.is_goal_met(step, state, Seat(token="", language="en"))
 
     return reached
 
@@ -112,6 +125,21 @@ def dragged(position: Sequence[float], axis: Sequence[float] = (0, 0, 1), degree
     return request
 
 
+@pytest.mark.parametrize("degrees", [-20.0, 17.0, 0.0])
+def test_another_angle_of_the_waist_does_not_count(degrees: float) -> None:
+    assert not drive("circle")(gate.set_joint(0, np.radians(degrees)), 3.0)
+
+
+def test_the_marked_point_is_where_the_tool_goes(seat: Seat) -> None:
+    step = step_of(FIRST, "circle")
+    assert step.prediction is not None
+    begun = settled(step.setup(initial_state(robot())))
+    expected = lesson.right_answer(step.prediction, begun, seat)
+    turned = played(gate.set_joint(0, np.radians(20.0))(begun), 3.0)
+    assert np.allclose(expected, turned.T_world_tool[:3, 3], atol=1e-3)
+    assert lesson.right_answer(step.prediction, turned, seat) == expected
+
+
 HERE = (0.6029, 0.0, 0.1671)
 
 
@@ -125,7 +153,7 @@ def test_passing_by_the_angle_does_not_count(seat: Seat) -> None:
     state = gate.set_joint(2, np.radians(-120.0))(initial_state(robot()))
     for _ in range(200):
         state = advance_with_search(state, TICK)
-        assert not step.goal(state, seat)
+        assert not lesson.is_goal_met(step, state, seat)
 
 
 @pytest.mark.parametrize("position", [(0.6, 0.16, 0.11), (0.6029, 0.125, 0.125), (0.45, 0.2, 0.1), (0.6, 0.4, 0.1)])
@@ -168,16 +196,16 @@ def test_below_the_ceiling_does_not_count() -> None:
 def test_a_stop_before_the_ellipse_does_not_count(seat: Seat) -> None:
     step = step_of("drive_the_arm", "stop")
     state = settled(step.setup(initial_state(robot())))
-    assert not step.goal(gate.stop()(state), seat)
+    assert not lesson.is_goal_met(step, gate.stop()(state), seat)
     playing = gate.play()(state)
-    assert not step.goal(gate.stop()(played(playing, 0.5)), seat)
-    assert not step.goal(gate.pause()(played(playing, 5.0)), seat)
+    assert not lesson.is_goal_met(step, gate.stop()(played(playing, 0.5)), seat)
+    assert not lesson.is_goal_met(step, gate.pause()(played(playing, 5.0)), seat)
     for seconds in (4.0, 10.0, 19.0, 24.0):
-        assert step.goal(gate.stop()(played(playing, seconds)), seat), seconds
+        assert lesson.is_goal_met(step, gate.stop()(played(playing, seconds)), seat), seconds
 
 
 def test_the_ellipse_starts_over_with_the_step(seat: Seat) -> None:
     step = step_of("drive_the_arm", "stop")
     before = gate.stop()(played(gate.play()(initial_state(robot())), 6.0))
     again = settled(step.setup(before))
-    assert not step.goal(gate.stop()(played(gate.play()(again), 1.0)), seat)
+    assert not lesson.is_goal_met(step, gate.stop()(played(gate.play()(again), 1.0)), seat)

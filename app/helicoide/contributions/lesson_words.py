@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 
+from helicoide import gate
 from helicoide.contributions.words import missing_words
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, Prose, Step, entered, turned_to
@@ -145,11 +146,12 @@ def _formula_faults(text: Text) -> Iterator[Text]:
 
 @lru_cache(maxsize=32)
 def screen_words(robot: Robot, language: Language) -> frozenset[str]:
-    """The texts on the panels for a robot: titles of tabs, labels, buttons, options."""
-    view = View(initial_state(robot), new_seat("", language, None))
+    """The texts on the panels for a robot, at rest and on a path: titles of tabs, labels, buttons, options."""
+    seat, at_rest = new_seat("", language, None), initial_state(robot)
+    views = View(at_rest, seat), View(gate.play()(at_rest), seat)
     rows = [row for panel in panels.all_panels() for row in panel.rows(robot)]
     titles = [panel.TITLE[language] for panel in panels.all_panels()]
-    return frozenset((page.STOP[language], *titles, *_labels(rows, view)))
+    return frozenset((page.STOP[language], *titles, *(word for view in views for word in _labels(rows, view))))
 
 
 def step_words(lesson: Lesson, number: int, robot: Robot, language: Language) -> frozenset[str]:

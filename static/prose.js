@@ -1,29 +1,28 @@
 // Buttons within the text of a lesson: what they do is written in their data-go, and the server does it. A text is
-// replaced when it changes, so the new button of the same name gets the focus, for those who use the keyboard.
+// replaced when it changes, so the new button of the same name gets the focus, for those who use the keyboard. A new
+// step begins at its top.
 "use strict";
 
 (() => {
-  function find(target) {
-    return document.querySelector(`.helicoide-go[data-go="${CSS.escape(target)}"]`);
+  const TOP = ".helicoide-lesson h3";
+  let pressed = null; // the data-go of the button that was pressed last, until its text is replaced
+  let title = "";
+
+  function refocus() {
+    const button = document.querySelector(`.helicoide-go[data-go="${CSS.escape(pressed)}"]`);
+    if (document.activeElement === document.body) button?.focus({ preventScroll: true });
   }
 
-  function refocus(target, tries = 20) {
-    if (tries === 0 || (document.activeElement && document.activeElement !== document.body)) return;
-    find(target)?.focus({ preventScroll: true });
-    setTimeout(() => refocus(target, tries - 1), 50);
+  function changed() {
+    const top = document.querySelector(TOP);
+    if (top && top.textContent !== title) top.parentElement.scrollIntoView({ block: "start" });
+    title = top?.textContent ?? "";
+    if (pressed) refocus();
   }
 
   document.addEventListener("click", (event) => {
-    const button = event.target.closest?.(".helicoide-go");
-    if (!button) return;
-    const target = button.dataset.go;
-    window.__viserMutable?.sendMessage({ type: "HelicoideFollow", target });
-    const watched = new MutationObserver(() => {
-      if (button.isConnected) return;
-      watched.disconnect();
-      refocus(target);
-    });
-    watched.observe(document.body, { childList: true, subtree: true });
-    setTimeout(() => watched.disconnect(), 2000);
+    pressed = event.target.closest?.(".helicoide-go")?.dataset.go ?? null;
+    if (pressed) window.__viserMutable?.sendMessage({ type: "HelicoideFollow", target: pressed });
   });
+  new MutationObserver(changed).observe(document.body, { childList: true, subtree: true });
 })();

@@ -61,10 +61,10 @@ def step_rows(robot: Robot, opened: OpenStep, language: Language) -> list[Row]:
 
 
 def leaving_rows() -> list[Row]:
-    """Begin the lesson again, or leave it."""
+    """Leave the lesson, or begin it again."""
     return [
-        Button(lambda _: AGAIN, lambda _: ForSeat(restarted), Icon.REPEAT, weight="destructive"),
         Button(lambda _: LEAVE, lambda _: ForSeat(lambda seat: entered(seat, None)), Icon.DOOR_EXIT),
+        Button(lambda _: AGAIN, lambda _: ForSeat(restarted), Icon.REPEAT, weight="destructive"),
     ]
 
 

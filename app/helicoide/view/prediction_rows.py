@@ -23,6 +23,7 @@ PREDICTION, ANSWER = Text(en="Prediction", pt_BR="Previsão"), Text(en="Answer",
 ESTIMATE = Text(en="your estimate", pt_BR="sua estimativa")
 ESTIMATE_IN = Text(en="your estimate [{unit}]", pt_BR="sua estimativa [{unit}]")
 MARKED = Text(en="marked point [mm]", pt_BR="ponto marcado [mm]")
+POINT = untranslated("({numbers}) mm")
 YOURS = Text(en="Your answer: {given}.", pt_BR="Sua resposta: {given}.")
 RIGHT = Text(en="Your prediction was right.", pt_BR="Sua previsão estava certa.")
 WRONG = Text(
@@ -38,6 +39,7 @@ NO_NUMBER = Text(
 )
 UP, DOWN = Text(en="Move up", pt_BR="Subir"), Text(en="Move down", pt_BR="Descer")
 
+ABOVE = 0.2  # height of the marker above the end effector, as a share of the reach
 BOX = Markup('<div class="helicoide-lesson helicoide-prediction"><b>{}</b>{}{}</div>')
 OPTIONS = Markup('<ol class="helicoide-options">{}</ol>')
 OPTION = Markup('<li><button type="button" class="helicoide-go" data-go="answer:{}">{}</button></li>')
@@ -72,8 +74,12 @@ def reveal_row() -> HtmlRow:
 
 
 def marker_place(view: View) -> tuple[float, float, float]:
-    """Where the marker of a prediction is, (3,) m, world frame: at first where the end effector is."""
-    x, y, z = view.seat.draft if view.seat.draft is not None else view.state.T_world_tool[:3, 3].tolist()
+    """Where the marker of a prediction is, (3,) m, world frame: at first above the end effector and its target."""
+    if view.seat.draft is not None:
+        x, y, z = view.seat.draft
+    else:
+        x, y, z = view.state.T_world_tool[:3, 3].tolist()
+        z += ABOVE * view.state.robot.reach
     return x, y, z
 
 
@@ -138,7 +144,7 @@ def _measured(opened: OpenStep, view: View) -> list[Text]:
             texts = [measured_text(number, unit, decimals) for number in (given, right)]
         case Mark():
             points = answer.given, right_answer(prediction, view.state, view.seat)
-            texts = [numbers_text((1e3 * number for number in point), ".0f") for point in points]
+            texts = [POINT.format(numbers=numbers_text((1e3 * number for number in point), ".0f")) for point in points]
         case Order(right=order):
             language = view.seat.language
             named = " → ".join(opened.prose.options[k][language] for k in order)

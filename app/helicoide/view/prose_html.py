@@ -11,6 +11,7 @@ from helicoide.arrays import Array
 from helicoide.console import unit_grade, value_terms
 from helicoide.geometry.multivector import Multivector
 from helicoide.lesson import Lesson, Value, in_unit, measured_text, paragraphs, placeholders
+from helicoide.lesson.values import needed_decimals
 from helicoide.markup import prose_to_html
 from helicoide.text import Language, rounded_text
 from helicoide.view.formula import blade_words
@@ -66,11 +67,13 @@ def _value(value: Value, view: View) -> Markup:
 def _matrix(numbers: Array, value: Value, language: Language) -> Markup:
     """An array (n,) as a row, or (m, n) as a matrix, with the unit after it."""
 
+    decimals = needed_decimals(value.unit, value.decimals)
+
     def cell(number: float) -> Markup:
-        return CELL.format(measured_text(in_unit(float(number), value.unit), "", value.decimals)[language])
+        return CELL.format(measured_text(in_unit(float(number), value.unit), "", decimals)[language])
 
     rows = (ROW.format(Markup("").join(map(cell, row))) for row in np.atleast_2d(numbers))
-    return MATRIX.format(Markup("").join(rows)) + Markup("\u202f{}").format(value.unit)
+    return MATRIX.format(Markup("").join(rows)) + value.unit
 
 
 def _sum(multivector: Multivector, decimals: int, language: Language) -> Markup:

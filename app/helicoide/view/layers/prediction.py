@@ -33,6 +33,7 @@ def build(stage: Stage) -> MarkerLayer:
         disable_rotations=True,
         depth_test=False,
     )
+    stage.scene.add_icosphere("/handles/prediction/ball", RADIUS * stage.size, GIVEN)
     gizmo.visible = False
     return MarkerLayer(stage, gizmo)
 

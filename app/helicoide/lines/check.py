@@ -9,21 +9,22 @@ from functools import lru_cache
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.console import ExpressionError, Value, kind_of
+from helicoide.console import ExpressionError, Value, all_functions, kind_of
 from helicoide.console.evaluate import Budget, Scope, evaluate
 from helicoide.console.grammar import parse_line
 from helicoide.console.names import is_reserved
 from helicoide.console.results import RESERVED
-from helicoide.console.syntax import Expression, FunctionCall, Span
+from helicoide.console.syntax import Expression, FunctionCall, Reference, Span
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031, QUATERNIONS
 from helicoide.geometry.multivector import Multivector
 from helicoide.lines.equality import rule_of
 from helicoide.lines.exercise import LineExercise
 from helicoide.lines.samples import expression_of, samples
-from helicoide.lines.search import Attempts, first_wrong, wrong_blades
+from helicoide.lines.repair import Repair
+from helicoide.lines.search import first_wrong, repaired, wrong_blades
 from helicoide.lines.slips import SlipName, words_of
-from helicoide.lines.tree import all_parts, extent, text_of
+from helicoide.lines.tree import all_parts, text_of, united
 from helicoide.lines.typed_line import Sample, TypedLine
 from helicoide.text import HelicoideError, Text
 
@@ -70,14 +71,20 @@ def check_line(exercise: LineExercise, text: str, at: Mapping[str, Value] | None
     Raises HelicoideError if the exercise itself has a fault.
     """
     exercise = exercise.lines()[-1]
-    expected = _expected(exercise)
     try:
-        line = _typed(exercise, text, expected)
+        line = _read(exercise, text)
     except ExpressionError as error:
         return Refused(error.without_trace())
+    try:
+        budget = Budget()
+        for sample in line.samples:
+            sample.learn(line.root, budget)
+    except ExpressionError as error:
+        repair = repaired(line) if _has_names_alone(line) else None
+        return Refused(error.without_trace()) if repair is None else _wrong(line, repair, text, at)
     if all(line.rule.equal(one.values[id(line.root)], one.values[id(line.expected)]) for one in line.samples):
         return Accepted()
-    return _wrong(line, text, at)
+    return _wrong(line, first_wrong(line), text, at)
 
 
 def line_faults(exercise: LineExercise) -> list[Text]:
@@ -102,8 +109,8 @@ def _expected(exercise: LineExercise) -> tuple[Expression, tuple[Sample, ...]]:
     return root, found
 
 
-def _typed(exercise: LineExercise, text: str, expected: tuple[Expression, tuple[Sample, ...]]) -> TypedLine:
-    """The typed line with its values. Raises ExpressionError."""
+def _read(exercise: LineExercise, text: str) -> TypedLine:
+    """The typed line, without its values. Raises ExpressionError."""
     statement = parse_line(text)
     if statement is None:
         raise ExpressionError(EMPTY, 0, len(text))
@@ -113,29 +120,42 @@ def _typed(exercise: LineExercise, text: str, expected: tuple[Expression, tuple[
     for part in all_parts(statement.expression):
         if isinstance(part, FunctionCall) and part.name in exercise.without:
             raise ExpressionError(WITHOUT.format(name=part.name), part.place.start, part.place.end)
-    root, known = expected
-    found, budget = tuple(Sample(sample.given, dict(sample.values)) for sample in known), Budget()
-    for sample in found:
-        sample.learn(statement.expression, budget)
-    return TypedLine(statement.expression, root, found, exercise.names, exercise.kind, rule_of(exercise))
+    expected, known = _expected(exercise)
+    found = tuple(Sample(sample.given, dict(sample.values)) for sample in known)
+    return TypedLine(statement.expression, expected, found, exercise.names, exercise.kind, rule_of(exercise))
 
 
-def _wrong(line: TypedLine, text: str, at: Mapping[str, Value] | None) -> WrongTerm:
-    repair = first_wrong(line, Attempts())
-    places = [extent(part, text) for part in repair.about]
-    span = Span(min(place.start for place in places), max(place.end for place in places))
-    typed, expected = (kind_of(line.samples[0].values[id(part)]).title for part in (line.root, line.expected))
-    title = words_of(repair.slip, line.kind).format(
-        part=text[span.start : span.end], kind=typed, wanted=expected, blades=", ".join(sorted(wrong_blades(line)))
+def _has_names_alone(line: TypedLine) -> bool:
+    """Whether each name and function of a line without a value has a meaning."""
+    return all(
+        part.name in all_functions()
+        if isinstance(part, FunctionCall)
+        else not isinstance(part, Reference) or is_reserved(part.name) or line.given(part.name) is not None
+        for part in line.parts
     )
+
+
+def _wrong(line: TypedLine, repair: Repair, text: str, at: Mapping[str, Value] | None) -> WrongTerm:
+    span = united(repair.about, text)
+    title = words_of(repair.slip, line.kind).format(part=text[span.start : span.end], **_fields(line, repair.slip))
     by = next(iter(repair.changes.values()))
     return WrongTerm(span, repair.slip, title, text_of(by), _pose(line, line.root, at), _pose(line, line.expected, at))
+
+
+def _fields(line: TypedLine, slip: SlipName) -> dict[str, object]:
+    """What the words of a slip name besides the wrong term."""
+    if slip == "coefficient":
+        return {"blades": ", ".join(sorted(wrong_blades(line)))}
+    if slip == "kind":
+        typed, expected = (kind_of(line.samples[0].values[id(part)]).title for part in (line.root, line.expected))
+        return {"kind": typed, "wanted": expected}
+    return {}
 
 
 def _pose(line: TypedLine, part: Expression, at: Mapping[str, Value] | None) -> Array | None:
     """The motion (4, 4) that an expression is, of any size but zero; None if it is none."""
     try:
-        value = line.value(part) if at is None else evaluate(part, Scope(at, {}, Budget()))
+        value = line.samples[0].value_of(part, Budget()) if at is None else evaluate(part, Scope(at, {}, Budget()))
     except ExpressionError:
         return None
     if not isinstance(value, Multivector) or kind_of(value).name not in MOTIONS:

@@ -8,6 +8,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.console import Value
+from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.lines.exercise import LineExercise
 
@@ -28,12 +29,12 @@ class Rule:
             return False
         a, b = pair
         factor = 1.0
-        if self.any_size and isinstance(expected, Multivector):
+        if self.any_size and b[1:].any():
             size = float(b @ b)
             factor = float(a @ b) / size if size else 0.0
             if not abs(factor) > TOLERANCE:
                 return False
-        if self.any_sign and isinstance(expected, Multivector) and a @ b < 0:
+        if (self.any_sign and b[1:].any() or self.any_size and _is_point(b)) and a @ b < 0:
             factor = -abs(factor)
         elif factor < 0:
             return False
@@ -56,6 +57,11 @@ def same_blades(value: Value, expected: Value) -> tuple[Array, Array] | None:
         return _padded(a, size), _padded(b, size)
     assert isinstance(value, Multivector) and isinstance(expected, Multivector)  # noqa: PT018
     return (a, b) if value.algebra is expected.algebra else None
+
+
+def _is_point(b: Array) -> bool:
+    """Whether a multivector has blades of three vectors alone: a point, which −1 leaves where it is."""
+    return len(b) == CL031.count and not b[CL031.grades != 3].any()
 
 
 def _coefficients(value: Value) -> Array:

@@ -40,6 +40,8 @@ def each(line: TypedLine, slip: SlipName | Naming, change: Change) -> Iterator[R
 
 def together(slip: SlipName, group: tuple[Expression, ...], change: Change) -> Iterator[Repair]:
     """The same change at all parts of a group, of which the first is named."""
+    if not group:
+        return
     for changed in zip(*(tuple(change(part)) for part in group), strict=False):
         yield Repair(slip, {id(part): by for part, by in zip(group, changed, strict=True)}, group[:1])
 

@@ -8,7 +8,6 @@ from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
 from helicoide.lines.repair import Repair, each, one, together
 from helicoide.lines.repairs_of_order import without_conjugate
-from helicoide.lines.slips import SlipName
 from helicoide.lines.tree import NOWHERE, call, operation
 from helicoide.lines.typed_line import TypedLine
 
@@ -20,7 +19,8 @@ BLADES = ("e1", "e2", "e3", "e", "e2e3", "e3e1", "e1e2", "e1e", "e2e", "e3e", "e
           "e1e2e3e")  # fmt: skip
 OPPOSITE = {"join": "meet", "meet": "join"}
 OPPOSITE_OPERATOR = {"^": "&", "&": "^"}
-OPERATORS = ("*", ">>", "^", "|", "+", "/")
+OTHER_OPERATORS = {"*": (">>", "^", "|", "+", "/"), ">>": ("*",), "^": ("*", "|"), "|": ("*", "^"), "&": ("*",),
+                   "+": ("*",), "/": ("*",)}  # fmt: skip
 
 
 def _name(name: str) -> Reference:
@@ -48,20 +48,15 @@ def conjugate_too_many(line: TypedLine) -> Iterator[Repair]:
         if inner is not None:
             yield inner
 
-    return each(line, lambda part: "inverse" if part is line.root else "conjugate too many", change)
+    return each(line, lambda part: "inverse" if line.is_motion(part) else "conjugate too many", change)
 
 
 def conjugate(line: TypedLine) -> Iterator[Repair]:
     """A conjugate that is forgotten; of the whole line, the inverse."""
 
-    def change(part: Expression) -> Iterator[Expression]:
+    for part in sorted(line.parts, key=lambda part: part is line.root or not isinstance(part, Reference)):
         if line.is_multivector(part):
-            yield call("conj", part)
-
-    def slip(part: Expression) -> SlipName:
-        return "inverse" if part is line.root else "conjugate"
-
-    yield from each(line, slip, change)
+            yield one("inverse" if line.is_motion(part) else "conjugate", part, call("conj", part))
 
 
 def axis(line: TypedLine) -> Iterator[Repair]:
@@ -113,9 +108,8 @@ def operator(line: TypedLine) -> Iterator[Repair]:
     """Another operator, such as a product for a sandwich."""
     for part in line.parts:
         if isinstance(part, Operation) and len(part.operands) == 2:
-            for symbol in OPERATORS:
-                if symbol != part.operator and not (symbol == "+" and part.operator == "-"):
-                    yield one("operator", part, operation(symbol, *part.operands))
+            for symbol in OTHER_OPERATORS.get(part.operator, ()):
+                yield one("operator", part, operation(symbol, *part.operands))
 
 
 def function(line: TypedLine) -> Iterator[Repair]:

@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator
 
 from helicoide.console.names import BLADE
-from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference
+from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, operands_of
 from helicoide.lines.repair import Change, Repair, each, one, together
+from helicoide.lines.repairs_of_order import is_negated
 from helicoide.lines.slips import SlipName
 from helicoide.lines.terms import signed_terms, sum_of
 from helicoide.lines.tree import NOWHERE, call, operation
@@ -60,25 +61,39 @@ def half(line: TypedLine) -> Iterator[Repair]:
             if group:
                 yield from together(slip, group, change)
         yield from each(line, slip, change)
+        for part in line.parts:
+            if isinstance(part, FunctionCall) and part.name in COORDINATES:
+                yield from together(slip, tuple(x for x in part.arguments if not isinstance(x, Literal)), change)
+
+
+def written_minus(line: TypedLine) -> Iterator[Repair]:
+    """A minus in front of something, which should not be there."""
+    if is_negated(line.root) and line.is_whole:
+        yield one("opposite", line.root, operation("-", line.root))
+    for part in line.parts:
+        match part:
+            case Operation("-", (operand,)):
+                yield one(_sign_of_what(line, part), part, operand)
 
 
 def sign(line: TypedLine) -> Iterator[Repair]:
-    """A sign: one that stands there, then one that is missing."""
+    """A plus for a minus, or a minus that is missing."""
 
     def slip(part: Expression) -> SlipName:
         return _sign_of_what(line, part)
 
-    for part in line.parts:
-        match part:
-            case Operation("-", (operand,)):
-                yield one(slip(part), part, operand)
-            case Operation("+" | "-" as symbol, (left, right)):
-                yield one(slip(right), part, operation("-" if symbol == "+" else "+", left, right), right)
-
     def change(part: Expression) -> Iterator[Expression]:
-        if not (isinstance(part, Literal) and part.value == 0):
+        around = line.parents.get(id(part))
+        is_exponent = isinstance(around, Operation) and around.operator == "**" and part is around.operands[1]
+        if not is_exponent and not (isinstance(part, Literal) and part.value == 0):
             yield operation("-", part)
 
+    if line.is_whole:
+        yield one("opposite", line.root, operation("-", line.root))
+    for part in line.parts:
+        match part:
+            case Operation("+" | "-" as symbol, (left, right)):
+                yield one(slip(right), part, operation("-" if symbol == "+" else "+", left, right), right)
     yield from each(line, slip, change)
     if angles := _angles(line):
         yield from together("sense", angles, change)
@@ -89,7 +104,7 @@ def sign(line: TypedLine) -> Iterator[Repair]:
 
 def _sign_of_what(line: TypedLine, part: Expression) -> SlipName:
     """The whole line, the angle of a motion, its axis, or any other term."""
-    if part is line.root:
+    if part is line.root and line.is_whole:
         return "opposite"
     for function, n in line.calls_around(part):
         if n == ANGLE_AT.get(function.name):
@@ -127,6 +142,11 @@ def unit(line: TypedLine) -> Iterator[Repair]:
         for factor in (math.pi / 180, 180 / math.pi, 1e-3, 1e3):
             yield operation("*", part, _number(factor))
 
+    for part in line.parts:
+        if isinstance(part, FunctionCall) and part.name == "deg":
+            yield from (one("unit", part, inner) for inner in part.arguments)
+    in_degrees = tuple(part for part in line.parts if isinstance(part, FunctionCall) and part.name == "deg")
+    yield from together("unit", in_degrees, lambda part: iter(operands_of(part)))
     group = _angles(line)
     if group and not any(map(line.is_multivector, group)):
         yield from together("unit", group, change)

@@ -9,7 +9,7 @@ from itertools import combinations
 from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
 from helicoide.lines.repair import Repair, each, one
-from helicoide.lines.terms import factors, product_of
+from helicoide.lines.terms import factors, product_of, signed_terms
 from helicoide.lines.tree import call, operation, text_of
 from helicoide.lines.typed_line import TypedLine
 
@@ -70,8 +70,10 @@ def factor_order(line: TypedLine) -> Iterator[Repair]:
         for part in line.parts:
             if line.is_top(part, symbol):
                 found = factors(part, symbol)
-                for order, about in _orders(found):
-                    yield one("order", part, product_of(order, symbol), *about)
+                movable = [factor for factor in found if line.is_multivector(factor)]
+                numbers = [factor for factor in found if not line.is_multivector(factor)]
+                for order, about in _orders(movable):
+                    yield one("order", part, product_of([*numbers, *order], symbol), *about)
 
 
 def _orders(found: list[Expression]) -> Iterator[tuple[list[Expression], Sequence[Expression]]]:
@@ -83,6 +85,9 @@ def _orders(found: list[Expression]) -> Iterator[tuple[list[Expression], Sequenc
             yield order, found[m : n + 1]
     if 2 < count <= MOST_MOVED:
         yield found[::-1], found
+        for m in range(2, count - 1):
+            yield [*found[m:], *found[:m]], found
+        yield [factor for n in range(0, count, 2) for factor in found[n : n + 2][::-1]], found
         for m in range(count):
             rest = [*found[:m], *found[m + 1 :]]
             for n in range(count):
@@ -96,8 +101,18 @@ def operand_order(line: TypedLine) -> Iterator[Repair]:
         match part:
             case Operation("^" | "&" | "|" as symbol, (left, right)):
                 yield one("order", part, operation(symbol, right, left))
-            case Operation("-", (left, right)):
+            case Operation("-", (left, right)) if len(signed_terms(part)) == 2 and not is_negated(left):
                 yield one("difference", part, operation("-", right, left))
+
+
+def is_negated(part: Expression) -> bool:
+    """Whether a part begins with a minus."""
+    match part:
+        case Operation("-", (_,)):
+            return True
+        case Operation(_, (left, _)):
+            return is_negated(left)
+    return False
 
 
 def argument_order(line: TypedLine) -> Iterator[Repair]:

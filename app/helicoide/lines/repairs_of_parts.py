@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from helicoide.console.syntax import Expression, FunctionCall, Operation, operands_of
+from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, operands_of
 from helicoide.lines.repair import Repair, one
 from helicoide.lines.terms import factors, product_of, signed_terms, sum_of
 from helicoide.lines.tree import all_parts, call, operation, text_of
@@ -36,16 +36,34 @@ def missing(line: TypedLine) -> Iterator[Repair]:
                 yield one("missing term", part, operation("-", part, other))
     for part in line.parts:
         around = line.parents.get(id(part))
-        if not (isinstance(around, Operation) and around.operator == "*" and not line.is_top(around, "*")):
+        is_inner = isinstance(around, Operation) and around.operator == "*" and not line.is_top(around, "*")
+        if not is_inner and not isinstance(part, Literal):
             for other in others:
                 yield one("missing factor", part, operation("*", part, other))
                 yield one("missing factor", part, operation("*", other, part))
         if line.is_top(part, "*"):
             yield from _inserted(part, others)
-    of_one = [part for part in all_parts(line.expected) if isinstance(part, FunctionCall) and len(part.arguments) == 1]
-    for name in sorted({part.name for part in of_one}):
+    for call_there in (part for part in all_parts(line.expected) if isinstance(part, FunctionCall)):
+        yield from _with_function(line, call_there)
+
+
+def _with_function(line: TypedLine, expected: FunctionCall) -> Iterator[Repair]:
+    """An argument more, as of join(p, q, r); or a function more, around a part or around what is no number in it."""
+    for part in line.parts:
+        match part:
+            case FunctionCall(name, arguments) if name == expected.name:
+                for other in expected.arguments:
+                    yield one("missing argument", part, call(name, *arguments, other))
+    if len(expected.arguments) == 1:
         for part in line.parts:
-            yield one("missing function", part, call(name, part))
+            yield one("missing function", part, call(expected.name, part))
+            if line.is_top(part, "*"):
+                found = factors(part)
+                numbers = [factor for factor in found if not line.is_multivector(factor)]
+                others = [factor for factor in found if line.is_multivector(factor)]
+                if numbers and others:
+                    inner = call(expected.name, product_of(others))
+                    yield one("missing function", part, product_of([*numbers, inner]), *others)
 
 
 def _inserted(part: Expression, others: list[Expression]) -> Iterator[Repair]:

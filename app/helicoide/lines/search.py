@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from itertools import islice
 
 from helicoide.console import kind_of, value_terms
 from helicoide.console.evaluate import Budget
 from helicoide.console.kinds import NOISE
-from helicoide.console.syntax import Expression, Literal
+from helicoide.console.syntax import Expression, Literal, Operation, operands_of
 from helicoide.geometry.multivector import Multivector
 from helicoide.lines import repairs_of_names as names
 from helicoide.lines import repairs_of_numbers as numbers
@@ -16,48 +16,59 @@ from helicoide.lines import repairs_of_order as order
 from helicoide.lines import repairs_of_parts as parts
 from helicoide.lines.equality import same_blades
 from helicoide.lines.repair import Repair, Repairs
-from helicoide.lines.terms import first_different, signed_terms
-from helicoide.lines.tree import replaced
+from helicoide.lines.slips import SlipName
+from helicoide.lines.terms import first_different, signed_terms, term_with_wrong_sign, terms_of_one_side
+from helicoide.lines.tree import all_parts, text_of
 from helicoide.lines.typed_line import TypedLine
 from helicoide.text import HelicoideError
 
 # The first that makes a line right names its slip, so those of a narrow meaning stand before the general ones.
 REPAIRS: tuple[Repairs, ...] = (
-    order.blade_order, order.passive, order.factor_order, order.operand_order, order.argument_order, names.join_or_meet,
-    numbers.sine_or_cosine, numbers.half, names.conjugate_too_many, numbers.sign, numbers.moment_sign, names.conjugate,
-    names.axis, names.name, numbers.unit, names.operator, numbers.power, names.function, parts.surplus, parts.missing,
-    names.blade, parts.other_part,
+    order.blade_order, numbers.written_minus, order.passive, order.factor_order, order.operand_order,
+    order.argument_order, names.join_or_meet, numbers.sine_or_cosine, numbers.half, names.conjugate_too_many,
+    numbers.sign, numbers.moment_sign, names.conjugate, names.axis, names.name, numbers.unit, names.operator,
+    numbers.power, names.function, parts.surplus, parts.missing, names.blade, parts.other_part,
 )  # fmt: skip
-MOST_TRIED = 1_500  # repairs; each takes about 50 µs
+# One of these gives way to a repair that gives the expected text.
+DOUBTFUL: frozenset[SlipName] = frozenset({"order", "difference", "operator"})
+GENERAL: frozenset[SlipName] = frozenset({"operator", "missing factor", "missing term", "missing function", "part"})
+MOST_TRIED = 1_000  # repairs of a line, and as many of its first term that differs; each takes about 50 µs
 NEARLY = 5e-3  # of the largest coefficient, by which a rounded number may be wrong
 
 
-@dataclass
-class Attempts:
-    """How many repairs may still be tried."""
-
-    left: int = MOST_TRIED
-
-
-def first_wrong(line: TypedLine, attempts: Attempts) -> Repair:
+def first_wrong(line: TypedLine) -> Repair:
     """What is wrong in a line that differs from what is expected."""
-    found = _rounded(line) or _repaired(line, attempts)
+    found = _rounded(line) or repaired(line)
+    if found is not None and found.slip not in GENERAL:
+        return found
+    found = _of_a_sum(line) or _unfinished(line) or found
     if found is not None:
         return found
     inner = first_different(line)
     if inner is not None and inner.root is not line.root:
-        return first_wrong(inner, attempts)
-    return _other_kind(line) or _wrong_coefficient(line) or Repair("line", {id(line.root): line.expected}, (line.root,))
+        return first_wrong(inner)
+    return _wrong_coefficient(line) or _other_kind(line) or _at_root(line, "line" if line.is_whole else "part")
 
 
-def _repaired(line: TypedLine, attempts: Attempts) -> Repair | None:
-    for repair in _all_repairs(line):
-        attempts.left -= 1
-        if attempts.left < 0:
-            return None
-        if _makes_right(line, repair):
-            return repair
-    return None
+def repaired(line: TypedLine) -> Repair | None:
+    """The first repair that makes a line right; rather than another operator, one that gives the expected text."""
+    found: Repair | None = None
+    expected = text_of(line.expected)
+    for repair in islice(_all_repairs(line), MOST_TRIED):
+        if found is None:
+            root = line.changed(repair.changes)
+            if _is_right(line, root):
+                found = repair
+                if repair.slip not in DOUBTFUL or text_of(root) == expected:
+                    return repair
+        elif repair.slip not in GENERAL or found.slip in GENERAL:
+            if text_of(line.changed(repair.changes)) == expected:
+                return repair
+    return found
+
+
+def _at_root(line: TypedLine, slip: SlipName, *about: Expression) -> Repair:
+    return Repair(slip, {id(line.root): line.expected}, about or (line.root,))
 
 
 def _all_repairs(line: TypedLine) -> Iterator[Repair]:
@@ -65,14 +76,43 @@ def _all_repairs(line: TypedLine) -> Iterator[Repair]:
         yield from repairs(line)
 
 
-def _makes_right(line: TypedLine, repair: Repair) -> bool:
-    root, budget = replaced(line.root, repair.changes), Budget()
+def _is_right(line: TypedLine, root: Expression) -> bool:
+    budget = Budget()
     try:
         return all(
             line.rule.equal(sample.value_of(root, budget), sample.values[id(line.expected)]) for sample in line.samples
         )
     except HelicoideError:
         return False
+
+
+def _of_a_sum(line: TypedLine) -> Repair | None:
+    """The term of a sum that has the wrong sign, is one too many, or is missing."""
+    if len(signed_terms(line.root)) + len(signed_terms(line.expected)) == 2:
+        return None
+    term = term_with_wrong_sign(line)
+    if term is not None:
+        return _at_root(line, "sign", term)
+    typed, expected = terms_of_one_side(line)
+    if typed and not expected:
+        return _at_root(line, "surplus term", typed[0][1])
+    if expected and not typed:
+        return _at_root(line, "missing term")
+    wrong = wrong_blades(line)
+    if len(signed_terms(line.root)) > 1 and wrong and not wrong & _blades(line, line.root):
+        return _at_root(line, "missing term")
+    return None
+
+
+def _unfinished(line: TypedLine) -> Repair | None:
+    """A line that is a part of the expected one."""
+    typed = text_of(line.root)
+    for outer in all_parts(line.expected) if line.is_whole else ():
+        for part in operands_of(outer):
+            if text_of(part) == typed:
+                is_product = isinstance(outer, Operation) and outer.operator in "*/"
+                return _at_root(line, "missing factor" if is_product else "unfinished")
+    return None
 
 
 def _rounded(line: TypedLine) -> Repair | None:
@@ -82,27 +122,26 @@ def _rounded(line: TypedLine) -> Repair | None:
         pair = same_blades(sample.values[id(line.root)], sample.values[id(line.expected)])
         if pair is None or abs(pair[0] - pair[1]).max() > NEARLY * abs(pair[1]).max():
             return None
-    return Repair("rounded", {id(line.root): line.expected}, (written[0],)) if written else None
+    return _at_root(line, "rounded", written[0]) if written else None
 
 
 def _other_kind(line: TypedLine) -> Repair | None:
     typed, expected = (line.samples[0].values[id(part)] for part in (line.root, line.expected))
     if same_blades(typed, expected) is not None and kind_of(typed) == kind_of(expected):
         return None
-    if {kind_of(typed).name, kind_of(expected).name} <= {"motor", "even", "multivector", "screw", "line", "zero"}:
+    if {kind_of(typed).name, kind_of(expected).name} <= {"motor", "even"}:
         return None
-    return Repair("kind", {id(line.root): line.expected}, (line.root,))
+    return _at_root(line, "kind")
 
 
 def _wrong_coefficient(line: TypedLine) -> Repair | None:
     """The first term of a sum with a blade whose coefficient is wrong."""
     wrong = wrong_blades(line)
     terms = [term for _, term in signed_terms(line.root)]
-    for term in terms if len(terms) > 1 else ():
-        if wrong & _blades(line, term):
-            return Repair("coefficient", {id(line.root): line.expected}, (term,))
-    if wrong and not wrong & _blades(line, line.root):
-        return Repair("missing term", {id(line.root): line.expected}, (line.root,))
+    if len(terms) > 1 and not wrong >= _blades(line, line.expected):
+        for term in terms:
+            if wrong & _blades(line, term):
+                return _at_root(line, "coefficient", term)
     return None
 
 

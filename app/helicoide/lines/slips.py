@@ -11,7 +11,7 @@ SlipName = Literal[
     "blade order", "passive", "order", "difference", "argument order", "axis", "join or meet", "sine or cosine", "half",
     "half too much", "opposite", "sense", "axis sign", "sign", "moment", "inverse", "conjugate", "conjugate too many",
     "blade", "name", "unit", "operator", "power", "function", "surplus term", "surplus factor", "missing term",
-    "missing factor", "missing function", "part", "rounded", "coefficient", "kind", "line",
+    "missing factor", "missing argument", "missing function", "unfinished", "part", "rounded", "coefficient", "kind", "line",
 ]  # fmt: skip
 
 SLIPS: dict[SlipName, Text] = {
@@ -141,9 +141,17 @@ SLIPS: dict[SlipName, Text] = {
         en="“{part}” is not enough by itself: a function has to be applied to it. What should come out?",
         pt_BR="“{part}” sozinho não basta: falta aplicar uma função a ele. O que deve sair?",
     ),
+    "missing argument": Text(
+        en="“{part}” fits, but one more belongs into it. What else takes part?",
+        pt_BR="“{part}” confere, mas falta mais um elemento nele. O que mais participa?",
+    ),
+    "unfinished": Text(
+        en="“{part}” is right as far as it goes: it is a part of the answer. What remains to be done with it?",
+        pt_BR="“{part}” está certo até aqui: é uma parte da resposta. O que falta fazer com isto?",
+    ),
     "part": Text(
-        en="“{part}” is where your line begins to differ; the rest fits. What does it stand for?",
-        pt_BR="É em “{part}” que a sua linha difere; o resto confere. O que ele representa?",
+        en="“{part}” is where your line begins to differ. What does it stand for?",
+        pt_BR="É em “{part}” que a sua linha começa a diferir. O que isto representa?",
     ),
     "rounded": Text(
         en="“{part}” is rounded, and nearly right. Write it exactly, such as pi/2 or sqrt(2)/2.",

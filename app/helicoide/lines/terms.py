@@ -6,15 +6,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import reduce
 
-from helicoide.console.syntax import Expression, FunctionCall, Operation
+from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation
 from helicoide.lines.equality import EXACT
 from helicoide.lines.tree import operation
 from helicoide.lines.typed_line import TypedLine
 
 PLUS, MINUS = 1, -1
+Terms = list[tuple[int, Expression]]  # each with its sign
 
 
-def signed_terms(part: Expression, sign: int = PLUS) -> list[tuple[int, Expression]]:
+def signed_terms(part: Expression, sign: int = PLUS) -> Terms:
     """The terms of a sum with their signs; of anything else, itself."""
     match part:
         case Operation("-", (operand,)):
@@ -47,10 +48,9 @@ def product_of(operands: Sequence[Expression], symbol: str = "*") -> Expression:
 
 def first_different(line: TypedLine) -> TypedLine | None:
     """The first term, factor or argument that differs, beside its counterpart; None if the two are built otherwise."""
-    pairs = _counterparts(line)
-    for typed, expected in pairs:
-        if not _same(line, typed, expected):
-            return replace(line, root=typed, expected=expected, rule=EXACT)
+    for typed, expected in _counterparts(line):
+        if not isinstance(typed, Literal) and not _same(line, typed, expected):
+            return replace(line, root=typed, expected=expected, rule=EXACT, is_whole=False)
     return None
 
 
@@ -59,8 +59,9 @@ def _counterparts(line: TypedLine) -> list[tuple[Expression, Expression]]:
     match line.root, line.expected:
         case FunctionCall(name, arguments), FunctionCall(other, expected) if name == other:
             return list(zip(arguments, expected, strict=False))
-        case Operation(symbol), Operation() if symbol in "+-":
-            return _terms_side_by_side(line)
+        case Operation(symbol), Operation(other) if symbol in "+-" and other in "+-":
+            typed_alone, expected_alone = terms_of_one_side(line)
+            return [(a, b) for (m, a), (n, b) in zip(typed_alone, expected_alone, strict=False) if m == n]
         case Operation("*" | ">>" as symbol), Operation(other) if symbol == other:
             return list(zip(factors(line.root, symbol), factors(line.expected, symbol), strict=False))
         case Operation(symbol, operands), Operation(other, expected) if symbol == other:
@@ -68,18 +69,26 @@ def _counterparts(line: TypedLine) -> list[tuple[Expression, Expression]]:
     return []
 
 
-def _terms_side_by_side(line: TypedLine) -> list[tuple[Expression, Expression]]:
-    """The terms that occur on one side alone, in their order, if they have the same signs."""
+def terms_of_one_side(line: TypedLine) -> tuple[Terms, Terms]:
+    """The terms of the typed line that the expected one lacks, and the other way round, in their order."""
     typed, expected = signed_terms(line.root), signed_terms(line.expected)
-    for sign, term in list(typed):
-        for other_sign, other in expected:
-            if sign == other_sign and _same(line, term, other):
-                typed = [one for one in typed if one[1] is not term]
-                expected = [one for one in expected if one[1] is not other]
+    for term in list(typed):
+        for other in expected:
+            if _same(line, term[1], other[1], term[0] * other[0]):
+                typed.remove(term)
+                expected.remove(other)
                 break
-    return [(term, other) for (sign, term), (other_sign, other) in zip(typed, expected, strict=False)
-            if sign == other_sign]  # fmt: skip
+    return typed, expected
 
 
-def _same(line: TypedLine, typed: Expression, expected: Expression) -> bool:
-    return all(EXACT.equal(sample.values[id(typed)], sample.values[id(expected)]) for sample in line.samples)
+def term_with_wrong_sign(line: TypedLine) -> Expression | None:
+    """The first term that the expected line has with the other sign."""
+    typed, expected = terms_of_one_side(line)
+    for sign, term in typed:
+        if any(_same(line, term, other, -sign * other_sign) for other_sign, other in expected):
+            return term
+    return None
+
+
+def _same(line: TypedLine, typed: Expression, expected: Expression, sign: int = PLUS) -> bool:
+    return all(EXACT.equal(sign * sample.values[id(typed)], sample.values[id(expected)]) for sample in line.samples)

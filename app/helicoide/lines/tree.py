@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 
 from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, Span, operands_of
 
@@ -38,10 +37,15 @@ def replaced(part: Expression, by: Mapping[int, Expression]) -> Expression:
     changed = tuple(replaced(operand, by) for operand in operands)
     if all(new is old for new, old in zip(changed, operands, strict=True)):
         return part
+    return with_operands(part, changed)
+
+
+def with_operands(part: Expression, operands: tuple[Expression, ...]) -> Expression:
+    """The same operation or function of other operands."""
     if isinstance(part, Operation):
-        return replace(part, operands=changed)
+        return Operation(part.operator, operands, part.place, part.depth)
     assert isinstance(part, FunctionCall)
-    return replace(part, arguments=changed)
+    return FunctionCall(part.name, operands, part.place, part.depth)
 
 
 def extent(part: Expression, text: str) -> Span:
@@ -51,6 +55,12 @@ def extent(part: Expression, text: str) -> Span:
     if isinstance(part, FunctionCall):
         end = max(end, text.find("(", part.place.end) + 1)
     return _balanced(min(span.start for span in spans), end, text)
+
+
+def united(parts: Sequence[Expression], text: str) -> Span:
+    """All characters from the first of some parts to the last."""
+    spans = [extent(part, text) for part in parts]
+    return _balanced(min(span.start for span in spans), max(span.end for span in spans), text)
 
 
 def _balanced(start: int, end: int, text: str) -> Span:

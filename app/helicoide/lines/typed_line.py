@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 
 from helicoide.console import Value
 from helicoide.console.evaluate import Budget, Scope, applied
 from helicoide.console.syntax import Expression, FunctionCall, Operation, operands_of
+from helicoide.console.values import size_of
 from helicoide.geometry.multivector import Multivector
-from helicoide.lines.equality import Rule
+from helicoide.lines.equality import EXACT, Rule
 from helicoide.lines.exercise import GivenKind, GivenName, LineKind
-from helicoide.lines.tree import all_parts, text_of
+from helicoide.lines.tree import all_parts, replaced, text_of, with_operands
 
 Values = dict[int, Value]  # of each part, by its `id`
 
@@ -40,14 +41,15 @@ class Sample:
 
 @dataclass(frozen=True, eq=False)
 class TypedLine:
-    """A typed expression, or a part of one, beside what is expected of it."""
+    """A typed expression, or a part of one, beside what is expected of it. is_whole: whether it is all of the line."""
 
     root: Expression
     expected: Expression
     samples: tuple[Sample, ...]
     names: tuple[GivenName, ...]
     kind: LineKind
-    rule: Rule = field(default_factory=Rule)
+    rule: Rule = EXACT
+    is_whole: bool = True
 
     @cached_property
     def parts(self) -> tuple[Expression, ...]:
@@ -67,13 +69,24 @@ class TypedLine:
             groups.setdefault(text_of(part), []).append(part)
         return tuple(tuple(group) for group in groups.values() if len(group) > 1)
 
-    def value(self, part: Expression) -> Value:
-        """The value of a part for the first of the samples."""
-        return self.samples[0].values[id(part)]
+    def changed(self, changes: Mapping[int, Expression]) -> Expression:
+        """The line with some of its parts, named by their `id`, replaced."""
+        if len(changes) > 1:
+            return replaced(self.root, changes)
+        ((old, new),) = changes.items()
+        while (outer := self.parents.get(old)) is not None:
+            operands = tuple(new if id(operand) == old else operand for operand in operands_of(outer))
+            old, new = id(outer), with_operands(outer, operands)
+        return new
 
     def is_multivector(self, part: Expression) -> bool:
-        """Whether a part is a quaternion or a multivector, no number."""
-        return isinstance(self.value(part), Multivector)
+        """Whether a part is no number, but a quaternion or a multivector, or has no value."""
+        return isinstance(self.samples[0].values.get(id(part)), Multivector | None)
+
+    def is_motion(self, part: Expression) -> bool:
+        """Whether a part is the whole line, and a unit quaternion or motor."""
+        value = self.samples[0].values.get(id(part))
+        return part is self.root and self.is_whole and value is not None and abs(size_of(value) - 1) < 1e-9
 
     def given(self, name: str) -> GivenKind | None:
         """What a name stands for."""

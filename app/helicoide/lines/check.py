@@ -20,9 +20,9 @@ from helicoide.geometry.clifford import CL031, QUATERNIONS
 from helicoide.geometry.multivector import Multivector
 from helicoide.lines.equality import rule_of
 from helicoide.lines.exercise import LineExercise
-from helicoide.lines.samples import expression_of, samples
 from helicoide.lines.repair import Repair
-from helicoide.lines.search import first_wrong, repaired, wrong_blades
+from helicoide.lines.samples import expression_of, samples
+from helicoide.lines.search import MOST_WORK, first_wrong, repaired, wrong_blades
 from helicoide.lines.slips import SlipName, words_of
 from helicoide.lines.tree import all_parts, text_of, united
 from helicoide.lines.typed_line import Sample, TypedLine
@@ -80,11 +80,11 @@ def check_line(exercise: LineExercise, text: str, at: Mapping[str, Value] | None
         for sample in line.samples:
             sample.learn(line.root, budget)
     except ExpressionError as error:
-        repair = repaired(line) if _has_names_alone(line) else None
+        repair = repaired(line, Budget(MOST_WORK)) if _has_names_alone(line) else None
         return Refused(error.without_trace()) if repair is None else _wrong(line, repair, text, at)
     if all(line.rule.equal(one.values[id(line.root)], one.values[id(line.expected)]) for one in line.samples):
         return Accepted()
-    return _wrong(line, first_wrong(line), text, at)
+    return _wrong(line, first_wrong(line, Budget(MOST_WORK)), text, at)
 
 
 def line_faults(exercise: LineExercise) -> list[Text]:

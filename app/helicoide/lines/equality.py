@@ -34,7 +34,8 @@ class Rule:
             factor = float(a @ b) / size if size else 0.0
             if not abs(factor) > TOLERANCE:
                 return False
-        if (self.any_sign and b[1:].any() or self.any_size and _is_point(b)) and a @ b < 0:
+        either_sign = (self.any_sign and bool(b[1:].any())) or (self.any_size and _is_point(b))
+        if either_sign and a @ b < 0:
             factor = -abs(factor)
         elif factor < 0:
             return False

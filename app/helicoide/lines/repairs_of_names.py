@@ -8,6 +8,7 @@ from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
 from helicoide.lines.repair import Repair, each, one, together
 from helicoide.lines.repairs_of_order import without_conjugate
+from helicoide.lines.terms import factors, product_of
 from helicoide.lines.tree import NOWHERE, call, operation
 from helicoide.lines.typed_line import TypedLine
 
@@ -37,7 +38,11 @@ def join_or_meet(line: TypedLine) -> Iterator[Repair]:
             case Operation(symbol, operands) if symbol in OPPOSITE_OPERATOR:
                 yield operation(OPPOSITE_OPERATOR[symbol], *operands)
 
-    return each(line, "join or meet", change)
+    yield from each(line, "join or meet", change)
+    for part in line.parts:
+        for symbol, other in OPPOSITE_OPERATOR.items():
+            if line.is_top(part, symbol):
+                yield one("join or meet", part, product_of(factors(part, symbol), other))
 
 
 def conjugate_too_many(line: TypedLine) -> Iterator[Repair]:

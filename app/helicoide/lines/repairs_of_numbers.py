@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, operands_of
 from helicoide.lines.repair import Change, Repair, each, one, together
 from helicoide.lines.repairs_of_order import is_negated
@@ -55,6 +54,10 @@ def half(line: TypedLine) -> Iterator[Repair]:
         if not isinstance(part, Literal):
             yield operation("*", _number(2.0), part)
 
+    for part in line.parts:
+        match part:
+            case Operation("/", (whole, Literal(2.0))) | Operation("*", (Literal(0.5), whole)):
+                yield one("half too much", part, whole)
     changes: tuple[tuple[SlipName, Change], ...] = (("half", forgotten), ("half too much", too_often))
     for slip, change in changes:
         for group in (_angles(line), _angles(line, ("sin", "cos")), _angles(line, ("exp",))):
@@ -137,7 +140,7 @@ def unit(line: TypedLine) -> Iterator[Repair]:
     """Degrees for radians, millimetres for metres."""
 
     def change(part: Expression) -> Iterator[Expression]:
-        if isinstance(part, Reference) and BLADE.fullmatch(part.name) or line.is_multivector(part):
+        if line.is_multivector(part):
             return
         for factor in (math.pi / 180, 180 / math.pi, 1e-3, 1e3):
             yield operation("*", part, _number(factor))

@@ -9,6 +9,7 @@ from itertools import combinations
 from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
 from helicoide.lines.repair import Repair, each, one
+from helicoide.lines.slips import SlipName
 from helicoide.lines.terms import factors, product_of, signed_terms
 from helicoide.lines.tree import call, operation, text_of
 from helicoide.lines.typed_line import TypedLine
@@ -122,5 +123,5 @@ def argument_order(line: TypedLine) -> Iterator[Repair]:
             for m, n in combinations(range(len(part.arguments)), 2):
                 order = list(part.arguments)
                 order[m], order[n] = order[n], order[m]
-                slip = "axis" if part.name in COMPONENTS and n < 3 else "argument order"
+                slip: SlipName = "axis" if part.name in COMPONENTS and n < 3 else "argument order"
                 yield one(slip, part, call(part.name, *order))

@@ -30,7 +30,7 @@ def missing(line: TypedLine) -> Iterator[Repair]:
     others = _different(line.expected)
     for part in line.parts:
         around = line.parents.get(id(part))
-        if not (isinstance(around, Operation) and around.operator in "+-"):
+        if not isinstance(part, Literal) and not (isinstance(around, Operation) and around.operator in "+-"):
             for other in others:
                 yield one("missing term", part, operation("+", part, other))
                 yield one("missing term", part, operation("-", part, other))

@@ -42,7 +42,7 @@ def _sample(names: tuple[GivenName, ...], random: np.random.Generator) -> dict[s
 
 
 def expression_of(text: str) -> Expression:
-    """The parts of an expression. Raises HelicoideError for a comment or a definition, ExpressionError as the console."""
+    """The parts of an expression. Raises HelicoideError, also for a comment or a definition."""
     line = parse_line(text)
     if line is None or line.target is not None:
         raise HelicoideError(NO_EXPRESSION.format(text=text))
@@ -69,7 +69,7 @@ def _unit(random: np.random.Generator, size: int = 3) -> Array:
 
 
 def _place(random: np.random.Generator) -> Array:
-    return random.uniform(0.15, 0.95, 3) * random.choice([-1, 1], 3)
+    return np.asarray(random.uniform(0.15, 0.95, 3) * random.choice([-1, 1], 3))
 
 
 def _point(random: np.random.Generator) -> Value:

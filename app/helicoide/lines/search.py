@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice
+from dataclasses import replace
 
 from helicoide.console import kind_of, value_terms
 from helicoide.console.evaluate import Budget
@@ -14,7 +14,7 @@ from helicoide.lines import repairs_of_names as names
 from helicoide.lines import repairs_of_numbers as numbers
 from helicoide.lines import repairs_of_order as order
 from helicoide.lines import repairs_of_parts as parts
-from helicoide.lines.equality import same_blades
+from helicoide.lines.equality import EXACT, same_blades
 from helicoide.lines.repair import Repair, Repairs
 from helicoide.lines.slips import SlipName
 from helicoide.lines.terms import first_different, signed_terms, term_with_wrong_sign, terms_of_one_side
@@ -32,39 +32,55 @@ REPAIRS: tuple[Repairs, ...] = (
 # One of these gives way to a repair that gives the expected text.
 DOUBTFUL: frozenset[SlipName] = frozenset({"order", "difference", "operator"})
 GENERAL: frozenset[SlipName] = frozenset({"operator", "missing factor", "missing term", "missing function", "part"})
-MOST_TRIED = 1_000  # repairs of a line, and as many of its first term that differs; each takes about 50 µs
+MOST_WORK = 16_000  # for all repairs, in the units of the console; the first search takes half, the next a quarter
 NEARLY = 5e-3  # of the largest coefficient, by which a rounded number may be wrong
 
 
-def first_wrong(line: TypedLine) -> Repair:
-    """What is wrong in a line that differs from what is expected."""
-    found = _rounded(line) or repaired(line)
+def first_wrong(line: TypedLine, budget: Budget) -> Repair:
+    """What is wrong in a line that differs from what is expected. budget: for the search of a repair."""
+    found = _rounded(line) or repaired(line, budget)
     if found is not None and found.slip not in GENERAL:
         return found
     found = _of_a_sum(line) or _unfinished(line) or found
+    if found is not None and found.slip != "part":
+        return found
+    inner = first_different(line if found is None else _beside_its_counterpart(line, found))
+    if inner is not None:
+        return first_wrong(inner, budget)
     if found is not None:
         return found
-    inner = first_different(line)
-    if inner is not None and inner.root is not line.root:
-        return first_wrong(inner)
     return _wrong_coefficient(line) or _other_kind(line) or _at_root(line, "line" if line.is_whole else "part")
 
 
-def repaired(line: TypedLine) -> Repair | None:
+def _beside_its_counterpart(line: TypedLine, repair: Repair) -> TypedLine:
+    """The part that a repair replaces, beside the part of the expected line that replaces it."""
+    ((_, expected),) = repair.changes.items()
+    return replace(line, root=repair.about[0], expected=expected, rule=EXACT, is_whole=False)
+
+
+def repaired(line: TypedLine, budget: Budget) -> Repair | None:
     """The first repair that makes a line right; rather than another operator, one that gives the expected text."""
     found: Repair | None = None
     expected = text_of(line.expected)
-    for repair in islice(_all_repairs(line), MOST_TRIED):
+    own, to_build = Budget(budget.left // 2), 1 + len(line.parts) // 10
+    budget.left -= own.left
+    for repair in _all_repairs(line):
+        own.left -= to_build
+        if own.left < 0:
+            break
         if found is None:
             root = line.changed(repair.changes)
-            if _is_right(line, root):
+            if _is_right(line, root, own):
                 found = repair
                 if repair.slip not in DOUBTFUL or text_of(root) == expected:
                     return repair
-        elif repair.slip not in GENERAL or found.slip in GENERAL:
-            if text_of(line.changed(repair.changes)) == expected:
-                return repair
+        elif _may_replace(found, repair) and text_of(line.changed(repair.changes)) == expected:
+            return repair
     return found
+
+
+def _may_replace(found: Repair, other: Repair) -> bool:
+    return other.slip not in GENERAL or found.slip in GENERAL
 
 
 def _at_root(line: TypedLine, slip: SlipName, *about: Expression) -> Repair:
@@ -76,8 +92,7 @@ def _all_repairs(line: TypedLine) -> Iterator[Repair]:
         yield from repairs(line)
 
 
-def _is_right(line: TypedLine, root: Expression) -> bool:
-    budget = Budget()
+def _is_right(line: TypedLine, root: Expression, budget: Budget) -> bool:
     try:
         return all(
             line.rule.equal(sample.value_of(root, budget), sample.values[id(line.expected)]) for sample in line.samples

@@ -11,7 +11,8 @@ SlipName = Literal[
     "blade order", "passive", "order", "difference", "argument order", "axis", "join or meet", "sine or cosine", "half",
     "half too much", "opposite", "sense", "axis sign", "sign", "moment", "inverse", "conjugate", "conjugate too many",
     "blade", "name", "unit", "operator", "power", "function", "surplus term", "surplus factor", "missing term",
-    "missing factor", "missing argument", "missing function", "unfinished", "part", "rounded", "coefficient", "kind", "line",
+    "missing factor", "missing argument", "missing function", "unfinished", "part", "rounded", "coefficient", "kind",
+    "line",
 ]  # fmt: skip
 
 SLIPS: dict[SlipName, Text] = {
@@ -24,8 +25,8 @@ SLIPS: dict[SlipName, Text] = {
     "passive": Text(
         en="With “{part}” in this place the coordinates change while the object stays (passive). Here the object "
         "itself moves (active): which side has the conjugate?",
-        pt_BR="Com “{part}” neste lugar, mudam as coordenadas e o objeto fica parado (passivo). Aqui é o próprio objeto "
-        "que se move (ativo): de que lado fica o conjugado?",
+        pt_BR="Com “{part}” neste lugar, mudam as coordenadas e o objeto fica parado (passivo). Aqui é o próprio "
+        "objeto que se move (ativo): de que lado fica o conjugado?",
     ),
     "order": Text(
         en="“{part}”: the factors are right, but their order is not. These products do not commute. "
@@ -48,7 +49,8 @@ SLIPS: dict[SlipName, Text] = {
     "join or meet": Text(
         en="“{part}”: a join is what its elements span together, a meet is what they have in common. "
         "Which of the two is asked for?",
-        pt_BR="“{part}”: join é o que os elementos geram juntos, meet é o que eles têm em comum. Qual dos dois se pede?",
+        pt_BR="“{part}”: join é o que os elementos geram juntos, meet é o que eles têm em comum. "
+        "Qual dos dois se pede?",
     ),
     "sine or cosine": Text(
         en="“{part}”: sine and cosine are exchanged. What should remain of it when the angle is 0?",
@@ -62,7 +64,8 @@ SLIPS: dict[SlipName, Text] = {
     ),
     "half too much": Text(
         en="“{part}” is half of what is needed. Is the ½ already inside the function, or counted twice?",
-        pt_BR="“{part}” é a metade do que se precisa. Será que o ½ já está dentro da função, ou foi contado duas vezes?",
+        pt_BR="“{part}” é a metade do que se precisa. Será que o ½ já está dentro da função, "
+        "ou foi contado duas vezes?",
     ),
     "opposite": Text(
         en="“{part}” is exactly the negative of what is expected. Which sign does the first term have?",
@@ -74,14 +77,15 @@ SLIPS: dict[SlipName, Text] = {
     ),
     "axis sign": Text(
         en="“{part}” makes the axis point the other way, so that positive angles turn backwards. Where does it point?",
-        pt_BR="“{part}” faz o eixo apontar para o outro lado, e o ângulo positivo gira ao contrário. Para onde ele aponta?",
+        pt_BR="“{part}” faz o eixo apontar para o outro lado, e o ângulo positivo gira ao contrário. "
+        "Para onde ele aponta?",
     ),
     "sign": Text(
         en="“{part}” has the wrong sign; everything else fits. Where does this sign come from?",
         pt_BR="“{part}” está com o sinal trocado; o resto confere. De onde vem este sinal?",
     ),
     "moment": Text(
-        en="“{part}”: the moment has the opposite sign. It is r × v, the point of the line first and its direction second.",
+        en="“{part}”: the moment has the opposite sign. It is r × v: the point of the line first, then its direction.",
         pt_BR="“{part}”: o momento está com o sinal oposto. Ele é r × v: primeiro o ponto da reta, depois a direção.",
     ),
     "inverse": Text(
@@ -101,7 +105,7 @@ SLIPS: dict[SlipName, Text] = {
         pt_BR="“{part}” é outra lâmina. O que se multiplica aqui: direção, giro ou deslocamento? Olhe os seus fatores.",
     ),
     "name": Text(
-        en="“{part}” is of the right kind, but it is another one that belongs here. Which joint, point or frame is it of?",
+        en="“{part}” is of the right kind, but another one belongs here. Which joint, point or frame is it of?",
         pt_BR="“{part}” é do tipo certo, mas aqui vai outro. De que junta, ponto ou sistema ele é?",
     ),
     "unit": Text(
@@ -111,7 +115,8 @@ SLIPS: dict[SlipName, Text] = {
     ),
     "operator": Text(
         en="“{part}”: the two sides fit, but not the operator between them. What should the first do to the second?",
-        pt_BR="“{part}”: os dois lados conferem, mas o operador entre eles não. O que o primeiro deve fazer com o segundo?",
+        pt_BR="“{part}”: os dois lados conferem, mas o operador entre eles não. "
+        "O que o primeiro deve fazer com o segundo?",
     ),
     "power": Text(
         en="“{part}” has another power than it should. Is it a length, or the square of one?",
@@ -178,14 +183,14 @@ OF_MOTIONS = Text(
     "movem. Que junta carrega qual?",
 )
 WORLD_OR_TOOL = Text(
-    en="“{part}”: what stands on the left is measured in the frame of the world, what stands on the right in that of the "
-    "end effector. In which frame is this error asked for?",
+    en="“{part}”: what stands on the left is measured in the frame of the world, what stands on the right in that of "
+    "the end effector. In which frame is this error asked for?",
     pt_BR="“{part}”: o que está à esquerda é medido no sistema do mundo; o que está à direita, no do efetuador. "
     "Em qual dos dois se pede este erro?",
 )
 ORIENTED = Text(
-    en="“{part}”: a join or meet has an orientation, and this order gives the opposite one. From which to which does it "
-    "run?",
+    en="“{part}”: a join or meet has an orientation, and this order gives the opposite one. From which to which does "
+    "it run?",
     pt_BR="“{part}”: join e meet têm orientação, e nesta ordem ela sai oposta. De qual para qual ele vai?",
 )
 DOUBLE_COVER = Text(
@@ -195,8 +200,8 @@ DOUBLE_COVER = Text(
     "Quanto ele vale quando nada se move?",
 )
 OTHER_SIDE = Text(
-    en="“{part}” is the right one with the opposite orientation: the other side of the plane, or the line run backwards. "
-    "Which way should it point?",
+    en="“{part}” is the right one with the opposite orientation: the other side of the plane, or the line run "
+    "backwards. Which way should it point?",
     pt_BR="“{part}” é o certo com a orientação oposta: o outro lado do plano, ou a reta percorrida ao contrário. "
     "Para onde ele deve apontar?",
 )

@@ -104,6 +104,4 @@ class TypedLine:
         """Whether a part is an operation that continues no operation of the same kind around it."""
         around = self.parents.get(id(part))
         own = isinstance(part, Operation) and part.operator in symbol and len(part.operands) == 2
-        return own and not (
-            isinstance(around, Operation) and around.operator in symbol and len(around.operands) == 2
-        )
+        return own and not (isinstance(around, Operation) and around.operator in symbol and len(around.operands) == 2)

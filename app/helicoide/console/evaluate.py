@@ -11,7 +11,7 @@ from helicoide.console.errors import ExpressionError, similar
 from helicoide.console.functions import all_functions
 from helicoide.console.names import is_reserved, reserved_value
 from helicoide.console.operators import binary, repetitions, unary
-from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, Span
+from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, Span, operands_of
 from helicoide.console.values import Value, finite_value
 from helicoide.text import HelicoideError, Text
 
@@ -67,16 +67,19 @@ _DEFINE = Text(en="define it in a line before, as in a = 1", pt_BR="defina-o em 
 
 def evaluate(part: Expression, scope: Scope) -> Value:
     """The value of an expression, all of its numbers finite. Raises ExpressionError at the part that fails."""
+    return applied(part, tuple(evaluate(operand, scope) for operand in operands_of(part)), scope)
+
+
+def applied(part: Expression, values: tuple[Value, ...], scope: Scope) -> Value:
+    """The value of an expression whose operands have these values. Raises ExpressionError."""
     match part:
         case Literal(value, place):
             return _at(place, lambda: finite_value(value))
         case Reference(name, place):
             return _at(place, lambda: finite_value(scope.value_of(name)))
-        case Operation(symbol, operands, place):
-            values = tuple(evaluate(operand, scope) for operand in operands)
+        case Operation(symbol, _, place):
             return _at(place, lambda: _operation(symbol, values, scope.budget))
-        case FunctionCall(name, arguments, place):
-            values = tuple(evaluate(argument, scope) for argument in arguments)
+        case FunctionCall(name, _, place):
             return _at(place, lambda: _call(name, values, scope.budget))
 
 

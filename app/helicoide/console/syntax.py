@@ -78,14 +78,19 @@ def depth_over(parts: tuple[Expression, ...], place: Span) -> int:
     return depth
 
 
+def operands_of(part: Expression) -> tuple[Expression, ...]:
+    """What an operation or a function is applied to; nothing for a number or a name."""
+    match part:
+        case Operation():
+            return part.operands
+        case FunctionCall():
+            return part.arguments
+    return ()
+
+
 def references(part: Expression) -> Iterator[Reference]:
     """The names in an expression, from left to right; functions are none of them."""
-    match part:
-        case Reference():
-            yield part
-        case Operation():
-            for operand in part.operands:
-                yield from references(operand)
-        case FunctionCall():
-            for argument in part.arguments:
-                yield from references(argument)
+    if isinstance(part, Reference):
+        yield part
+    for operand in operands_of(part):
+        yield from references(operand)

@@ -30,6 +30,7 @@ state
 advance
 foresight · readout · gate · lesson
 perception · console
+lines
 studies
 export · jobs · recorder
 view
@@ -45,7 +46,7 @@ OUTSIDE = {"viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
     "arrays", "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
-    "advance", "foresight", "readout", "gate", "lesson", "perception", "studies", "text",
+    "advance", "foresight", "readout", "gate", "lesson", "lines", "perception", "studies", "text",
 }  # fmt: skip
 
 LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}

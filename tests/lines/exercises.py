@@ -9,7 +9,7 @@ from helicoide.text import untranslated
 def given(words: str) -> tuple[GivenName, ...]:
     """Names from words such as "angle: q1 q2; length: a"; a formula is written g = rotor(0, 0, 1, q1)."""
     names: list[GivenName] = []
-    for part in words.split(";"):
+    for part in filter(None, words.split(";")):
         if "=" in part:
             name, formula = part.split("=")
             names.append(GivenName(name.strip(), "formula", untranslated(name.strip()), formula.strip()))

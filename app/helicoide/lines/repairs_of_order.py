@@ -16,6 +16,7 @@ from helicoide.lines.typed_line import TypedLine
 
 IN_THEIR_ORDER = {"e2e3", "e3e1", "e1e2", "e2e3e", "e3e1e", "e1e2e", "e1e", "e2e", "e3e", "e1e2e3", "e1e2e3e"}
 COMPONENTS = {"direction", "point", "rotor", "translator", "plane", "quaternion"}
+ORIENTED = {"join", "meet", "line", "plane_through", "common_normal"}
 MOST_MOVED = 7  # of longer products only neighbours are exchanged
 CONJUGATES = {"conj", "inverse", "reverse"}
 
@@ -101,7 +102,7 @@ def operand_order_repairs(line: TypedLine) -> Iterator[Repair]:
     for part in line.parts:
         match part:
             case Operation("^" | "&" | "|" as symbol, (left, right)):
-                yield replacing("order", part, operation(symbol, right, left))
+                yield replacing("order" if symbol == "|" else "orientation", part, operation(symbol, right, left))
             case Operation("-", (left, right)) if len(signed_terms(part)) == 2 and not is_negated(left):
                 yield replacing("difference", part, operation("-", right, left))
 
@@ -123,5 +124,10 @@ def argument_order_repairs(line: TypedLine) -> Iterator[Repair]:
             for m, n in combinations(range(len(part.arguments)), 2):
                 order = list(part.arguments)
                 order[m], order[n] = order[n], order[m]
-                slip: SlipName = "axis" if part.name in COMPONENTS and n < 3 else "argument order"
-                yield replacing(slip, part, call(part.name, *order))
+                yield replacing(_slip_of_arguments(part.name, n), part, call(part.name, *order))
+
+
+def _slip_of_arguments(function: str, last: int) -> SlipName:
+    if function in ORIENTED:
+        return "orientation"
+    return "axis" if function in COMPONENTS and last < 3 else "argument order"

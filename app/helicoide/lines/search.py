@@ -54,7 +54,7 @@ REPAIRS: tuple[Repairs, ...] = (
     parts.other_part_repairs,
 )
 # One of these gives way to a repair that gives the expected text.
-DOUBTFUL: frozenset[SlipName] = frozenset({"order", "difference", "operator"})
+DOUBTFUL: frozenset[SlipName] = frozenset({"order", "orientation", "difference", "operator"})
 GENERAL: frozenset[SlipName] = frozenset({"operator", "missing factor", "missing term", "missing function", "part"})
 MOST_WORK = 16_000  # for all repairs, in the units of the console; the first search takes half, the next a quarter
 
@@ -63,7 +63,8 @@ def first_wrong(line: TypedLine, budget: Budget) -> Repair:
     """What is wrong in a line that differs from what is expected. budget: for the search of a repair."""
     found = rounded_number(line) or repaired(line, budget)
     if found is not None and found.slip not in GENERAL:
-        return found
+        of_all_angles = found.slip == "sense" and len(found.changes) > 1
+        return (wrong_term_of_a_sum(line) if of_all_angles else None) or found
     found = wrong_term_of_a_sum(line) or unfinished_line(line) or found
     if found is not None and found.slip != "part":
         return found

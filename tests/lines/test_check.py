@@ -12,6 +12,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.lines import Accepted, LineExercise, Refused, WrongTerm, check_line, line_faults
 from helicoide.sheet import LONGEST_LINE
+from helicoide.text import HelicoideError
 
 ROTOR = EXERCISES["rotor about z"]
 DOUBLE = LineExercise("motor", ROTOR.names, ROTOR.expected, sign_counts=False)
@@ -166,3 +167,8 @@ def test_the_lines_of_an_exercise_use_the_names_of_those_before() -> None:
 def test_a_fault_of_an_exercise_is_said(task: LineExercise, says: str) -> None:
     (fault,) = line_faults(task)
     assert says in fault.en
+
+
+def test_a_fault_of_the_exercise_is_not_said_of_the_line() -> None:
+    with pytest.raises(HelicoideError):
+        check_line(exercise("motor", "angle: a", "b"), "a")

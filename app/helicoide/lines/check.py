@@ -70,10 +70,13 @@ def check_line(exercise: LineExercise, text: str, at: Mapping[str, Value] | None
     Raises HelicoideError if the exercise itself has a fault.
     """
     exercise = exercise.lines()[-1]
+    expected, known = _expected(exercise)
     try:
-        line = _read(exercise, text)
+        root = _read(exercise, text)
     except ExpressionError as error:
         return Refused(error.without_trace())
+    found = tuple(Sample(sample.given, dict(sample.values)) for sample in known)
+    line = TypedLine(root, expected, found, exercise.names, exercise.kind, equality_rule(exercise))
     search = Budget(MOST_WORK)
     try:
         for sample in line.samples:
@@ -120,8 +123,8 @@ def _expected(exercise: LineExercise) -> tuple[Expression, tuple[Sample, ...]]:
     return root, found
 
 
-def _read(exercise: LineExercise, text: str) -> TypedLine:
-    """The typed line, without its values. Raises ExpressionError."""
+def _read(exercise: LineExercise, text: str) -> Expression:
+    """The typed expression. Raises ExpressionError."""
     statement = parse_line(text)
     if statement is None:
         raise ExpressionError(EMPTY, 0, len(text))
@@ -131,9 +134,7 @@ def _read(exercise: LineExercise, text: str) -> TypedLine:
     for part in all_parts(statement.expression):
         if isinstance(part, FunctionCall) and part.name in exercise.without:
             raise ExpressionError(WITHOUT.format(name=part.name), part.place.start, part.place.end)
-    expected, known = _expected(exercise)
-    found = tuple(Sample(sample.given, dict(sample.values)) for sample in known)
-    return TypedLine(statement.expression, expected, found, exercise.names, exercise.kind, equality_rule(exercise))
+    return statement.expression
 
 
 def _has_names_alone(line: TypedLine) -> bool:

@@ -6,6 +6,7 @@ Only this module makes Markup from text that is not a literal. Everywhere else M
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from html import escape, unescape
@@ -18,6 +19,7 @@ from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from markupsafe import Markup
+from markupsafe import escape as escape_markup
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # start of a drawing; only a separate file needs the namespace
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
@@ -46,6 +48,28 @@ def _image(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: An
 
 _markdown.add_render_rule("heading_open", _heading)
 _markdown.add_render_rule("image", _image)
+
+
+_SYMBOL = re.compile(r"(?<!\w)(\w)_(\w{1,3})(?!\w)")  # a letter and its index, not a name such as dt_max
+_UNICODE_SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+
+
+def typeset(words: str) -> Markup:
+    """Words with the index of each symbol as a subscript: e_p becomes e<sub>p</sub>."""
+    plain, *parts = _SYMBOL.split(words)
+    symbol = Markup("{}<sub>{}</sub>{}")
+    return escape_markup(plain) + Markup("").join(symbol.format(*parts[i : i + 3]) for i in range(0, len(parts), 3))
+
+
+def plain_subscripts(words: str) -> str:
+    """The same where HTML cannot be: e_p becomes eₚ. An index that Unicode cannot lower stays as it is."""
+
+    def lowered(found: re.Match[str]) -> str:
+        symbol, index = found.groups()
+        known = all(letter in _UNICODE_SUBSCRIPTS for letter in index)
+        return symbol + "".join(map(_UNICODE_SUBSCRIPTS.__getitem__, index)) if known else found[0]
+
+    return _SYMBOL.sub(lowered, words)
 
 
 @lru_cache(maxsize=256)

@@ -11,15 +11,37 @@ Language = Literal["en", "pt_BR"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 
-class _DecimalCommaFormatter(Formatter):
-    """Formats as `str.format` does, with a decimal comma in numbers."""
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def power_of_ten(exponent: int) -> str:
+    """A power of ten, such as 10⁻⁶."""
+    return "10" + str(exponent).translate(_RAISED)
+
+
+def _with_power_of_ten(shown: str) -> str:
+    """A formatted number; an exponent such as e-17 becomes ×10⁻¹⁷."""
+    mantissa, e, exponent = shown.partition("e")
+    return f"{mantissa}×{power_of_ten(int(exponent))}" if e else mantissa
+
+
+def significant_digits(value: float, digits: int) -> str:
+    """A number of `digits` significant digits; an exponent is written as a power of ten with superscripts."""
+    return _with_power_of_ten(f"{value + 0.0:.{digits}g}")  # + 0.0: no -0
+
+
+class _NumberFormatter(Formatter):
+    """Formats as `str.format` does, with this decimal mark in numbers, and powers of ten in place of exponents."""
+
+    def __init__(self, mark: str) -> None:
+        self.mark = mark
 
     def format_field(self, value: object, format_spec: str) -> str:
         shown: str = super().format_field(value, format_spec)
-        return shown.replace(".", ",") if isinstance(value, float) else shown
+        return _with_power_of_ten(shown).replace(".", self.mark) if isinstance(value, float) else shown
 
 
-_WITH_COMMA = _DecimalCommaFormatter()
+_WITH_POINT, _WITH_COMMA = _NumberFormatter("."), _NumberFormatter(",")
 
 
 @dataclass(frozen=True)
@@ -33,9 +55,12 @@ class Text:
         return self.pt_BR if language == "pt_BR" else self.en
 
     def format(self, **fields: object) -> Text:
-        """Fill the fields in both languages; a field may be a `Text`; floats get a decimal comma in Portuguese."""
+        """Fill the fields in both languages; a field may be a `Text`.
+
+        Floats get a decimal comma in Portuguese, and a power of ten in place of an exponent.
+        """
         return Text(
-            en=self.en.format(**{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
+            en=_WITH_POINT.format(self.en, **{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
             pt_BR=_WITH_COMMA.format(
                 self.pt_BR, **{k: v["pt_BR"] if isinstance(v, Text) else v for k, v in fields.items()}
             ),
@@ -53,8 +78,13 @@ def with_decimal_comma(shown: str) -> Text:
 
 
 def number_text(value: float, spec: str = "g") -> Text:
-    """A number in a format such as ".3g", with a decimal comma in Portuguese."""
-    return with_decimal_comma(f"{value:{spec}}")
+    """A number in a format such as ".3g", with a decimal comma in Portuguese and a power of ten, not an exponent."""
+    return with_decimal_comma(_with_power_of_ten(f"{value:{spec}}"))
+
+
+def significant_text(value: float, digits: int) -> Text:
+    """A number of so many significant digits, with a minus sign, ∞ and powers of ten."""
+    return with_decimal_comma(significant_digits(value, digits).replace("-", "−").replace("inf", "∞"))
 
 
 def rounded_text(value: float, decimals: int) -> Text:

@@ -6,9 +6,8 @@ from collections.abc import Callable
 from math import ceil, floor, log10
 from typing import Any
 
-from helicoide.export.study_table import significant_digits
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
-from helicoide.text import Text, untranslated, with_decimal_comma
+from helicoide.text import Text, significant_text, untranslated
 from helicoide.view.requests import PageRequest
 from helicoide.view.rows import Checkbox, Dropdown, Row, Slider
 from helicoide.view.window_view import View
@@ -73,7 +72,7 @@ def _decades(
     """A logarithmic slider. Its label shows the value; the page hides the exponent that viser shows."""
 
     def label(view: View) -> Text:
-        said = with_decimal_comma(significant_digits(value(view) * unit, 3))
+        said = significant_text(value(view) * unit, 3)
         return untranslated("{title}: {said} {unit}{decades}").format(
             title=setting.title, said=said, unit=setting.unit, decades=DECADES
         )

@@ -253,9 +253,7 @@ def _why_misaligned(state: State, goal: Goal) -> Text:
     touching = next((reason for reason in goal.reasons if not isinstance(reason, AtSpeed | AtAcceleration)), None)
     if touching is not None:
         return Text(en="limited by: {what}", pt_BR="limitado por: {what}").format(what=_named(state.problem, touching))
-    return Text(
-        en="closest reachable orientation shown", pt_BR="mostrada a orientação alcançável mais próxima"
-    )
+    return Text(en="closest reachable orientation shown", pt_BR="mostrada a orientação alcançável mais próxima")
 
 
 def limiting(state: State) -> list[Text]:

@@ -67,6 +67,15 @@ class Text:
         )
 
 
+def sentence_case(text: Text) -> Text:
+    """The text with a capital at its beginning, as labels have it; a symbol such as x or λ stays."""
+    return Text(en=_capitalized(text.en), pt_BR=_capitalized(text.pt_BR))
+
+
+def _capitalized(words: str) -> str:
+    return words[:1].upper() + words[1:] if words[:2].isalpha() and words[:2].islower() else words
+
+
 def untranslated(word: str) -> Text:
     """A name or symbol that is the same in both languages."""
     return Text(en=word, pt_BR=word)

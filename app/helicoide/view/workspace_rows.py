@@ -54,7 +54,7 @@ FOUND = Text(
 HEIGHT = Text(en="height above the base frame [mm]", pt_BR="altura sobre o referencial da base [mm]")
 DISTANCE = Text(en="distance from the first axis [mm]", pt_BR="distância ao primeiro eixo [mm]")
 NIMBLENESS = Text(en="manipulability w{unit}", pt_BR="manipulabilidade w{unit}")
-CUT = Text(en="cut [% of the reach]", pt_BR="corte [% do alcance]")
+CUT = Text(en="Cut [% of the reach]", pt_BR="Corte [% do alcance]")
 SHARE = Text(en="share of all orientations [%]", pt_BR="parcela de todas as orientações [%]")
 
 

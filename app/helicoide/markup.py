@@ -50,7 +50,7 @@ _markdown.add_render_rule("heading_open", _heading)
 _markdown.add_render_rule("image", _image)
 
 
-_SYMBOL = re.compile(r"(?<!\w)(\w)_(\w{1,3})(?!\w)")  # a letter and its index, not a name such as dt_max
+_SYMBOL = re.compile(r"(?<!\w)(\w)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")  # a letter and its index, not a name such as dt_max
 _UNICODE_SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
 
 
@@ -62,14 +62,10 @@ def typeset(words: str) -> Markup:
 
 
 def plain_subscripts(words: str) -> str:
-    """The same where HTML cannot be: e_p becomes eₚ. An index that Unicode cannot lower stays as it is."""
-
-    def lowered(found: re.Match[str]) -> str:
-        symbol, index = found.groups()
-        known = all(letter in _UNICODE_SUBSCRIPTS for letter in index)
-        return symbol + "".join(map(_UNICODE_SUBSCRIPTS.__getitem__, index)) if known else found[0]
-
-    return _SYMBOL.sub(lowered, words)
+    """The same where HTML cannot be: e_p becomes eₚ. Words with an index that Unicode cannot lower stay as they are."""
+    if any(letter not in _UNICODE_SUBSCRIPTS for _, index in _SYMBOL.findall(words) for letter in index):
+        return words
+    return _SYMBOL.sub(lambda found: found[1] + "".join(map(_UNICODE_SUBSCRIPTS.__getitem__, found[2])), words)
 
 
 @lru_cache(maxsize=256)

@@ -101,10 +101,18 @@ def rounded_text(value: float, decimals: int) -> Text:
     return with_decimal_comma(f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−"))
 
 
+def rounded_numbers(values: Iterable[float], decimals: int) -> Text:
+    """Several such numbers, separated as in `numbers_text`."""
+    return _separated([rounded_text(value, decimals) for value in values])
+
+
 def numbers_text(values: Iterable[float], spec: str = "g") -> Text:
     """Several numbers: separated by commas in English, by semicolons in Portuguese because of its decimal comma."""
-    texts = [number_text(value, spec) for value in values]
-    return Text(en=", ".join(text.en for text in texts), pt_BR="; ".join(text.pt_BR for text in texts))
+    return _separated([number_text(value, spec) for value in values])
+
+
+def _separated(numbers: Sequence[Text]) -> Text:
+    return Text(en=", ".join(text.en for text in numbers), pt_BR="; ".join(text.pt_BR for text in numbers))
 
 
 def join_texts(texts: Sequence[Text], by: str = "; ") -> Text:

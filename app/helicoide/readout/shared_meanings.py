@@ -13,7 +13,7 @@ from helicoide.readout.coefficients import Coefficient
 from helicoide.readout.elements import Nature
 from helicoide.readout.meanings import AXES, NO_SLIDE, has_opposite_sign, meaning
 from helicoide.readout.roles import Part, Role, role_of
-from helicoide.text import Text, rounded_text
+from helicoide.text import Text, rounded_numbers, rounded_text
 
 TOGETHER: dict[Part, Text] = {
     "direction": Text(
@@ -99,7 +99,7 @@ def _of_element(values: Array, part: Part, axes: list[int]) -> Text:
     if part == "moment":
         numbers["distance"] = rounded_text(1000 * float(np.linalg.norm(rigid.direction_and_moment(values)[1])), 1)
     if part == "coordinate":
-        numbers["coordinates"] = _listed(1000 * rigid.coordinates(values)[axes], 1)
+        numbers["coordinates"] = rounded_numbers(1000 * rigid.coordinates(values)[axes], 1)
     return TOGETHER[part].format(axes=_named(axes), **numbers)
 
 
@@ -108,20 +108,14 @@ def _of_motor(values: Array, part: Part, axes: list[int]) -> Text:
     screw = motor.screw_from_motor(values)
     if screw.angle == 0 and part == "dual":
         way = 1000 * float(screw.displacement) * screw.direction
-        return TRANSLATED_TOGETHER.format(axes=_named(axes), way=_listed(way[axes], 1))
+        return TRANSLATED_TOGETHER.format(axes=_named(axes), way=rounded_numbers(way[axes], 1))
     half = float(screw.angle) / 2
     rotates = part == "dual" and abs(float(screw.displacement)) < NO_SLIDE
     return (ROTATED_TOGETHER if rotates else TOGETHER[part]).format(
         axes=_named(axes),
         half=rounded_text(float(np.degrees(half)), 2),
         sine=rounded_text(float(np.sin(half)), 3),
-        direction=_listed(screw.direction[axes], 3),
-        moment=_listed(1000 * np.cross(screw.point, screw.direction)[axes], 1),
+        direction=rounded_numbers(screw.direction[axes], 3),
+        moment=rounded_numbers(1000 * np.cross(screw.point, screw.direction)[axes], 1),
         slide=rounded_text(500 * float(screw.displacement), 1),
     )
-
-
-def _listed(values: Array, decimals: int) -> Text:
-    """Several numbers, separated by commas or, beside decimal commas, by semicolons."""
-    each = [rounded_text(value, decimals) for value in values.tolist()]
-    return Text(en=", ".join(text.en for text in each), pt_BR="; ".join(text.pt_BR for text in each))

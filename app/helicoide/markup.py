@@ -50,7 +50,8 @@ _markdown.add_render_rule("heading_open", _heading)
 _markdown.add_render_rule("image", _image)
 
 
-_SYMBOL = re.compile(r"(?<!\w)(\w)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")  # a letter and its index, not a name such as dt_max
+# A letter and its index, not a name such as dt_max.
+_SYMBOL = re.compile(r"(?<!\w)(\w)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
 _UNICODE_SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
 
 

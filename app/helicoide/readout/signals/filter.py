@@ -32,7 +32,7 @@ PHASES = (
     PhasePlane("phase θ", Text(en="Phase plane θ × k", pt_BR="Plano de fase θ × k"), "filter k", "filter θ", True),
     PhasePlane(
         "phase θ_M",
-        Text(en="Phase plane modified θ × k", pt_BR="Plano de fase θ modificada × k"),
+        Text(en="Phase plane, modified θ × k", pt_BR="Plano de fase, θ modificada × k"),
         "filter k",
         "filter θ_M",
     ),

@@ -16,7 +16,7 @@ from helicoide import gate, readout
 from helicoide.arrays import Array
 from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement import Zone
-from helicoide.geometry import rigid
+from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.ik import Contact, methods
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
@@ -192,6 +192,17 @@ CASES: dict[str, tuple[Callable[[State], State], readout.Tone, list[str], list[s
         "ok", ["ready pose"], ["pose inicial"],
     ),
 }  # fmt: skip
+
+
+def test_an_entry_point_is_the_reason_of_an_orientation_that_is_not_reached() -> None:
+    """With seven joints the position fixes no orientation; with an entry point it does."""
+    held = gate.enforce_entry(True)(initial_state(load_robot("dia10_rod")))
+    turned = held.T_world_tool[:3, :3] @ rotation.to_matrix(np.array([np.cos(0.1), np.sin(0.1), 0.0, 0.0]))
+    asked = gate.set_target(held.T_world_tool[:3, 3], rotation.from_matrix(turned))(held)
+    said = readout.status(foreseen(asked)).text
+    assert "the shaft must pass through its entry point" in said.en
+    assert "a haste tem de passar pelo ponto de entrada" in said.pt_BR
+    assert "yaw" not in said.en
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -19,6 +19,7 @@ from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from markupsafe import Markup
+from markupsafe import escape as escape_markup
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # start of a drawing; only a separate file needs the namespace
@@ -88,6 +89,25 @@ _prose.use(dollarmath_plugin, renderer=_formula)
 _prose.add_render_rule("image", _image)
 _prose.add_render_rule("link_open", _link_opens)
 _prose.add_render_rule("link_close", _link_closes)
+
+
+# A letter and its index, not a name such as dt_max.
+_SYMBOL = re.compile(r"(?<!\w)(\w)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
+_UNICODE_SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+
+
+def typeset(words: str) -> Markup:
+    """Words with the index of each symbol as a subscript: e_p becomes e<sub>p</sub>."""
+    plain, *parts = _SYMBOL.split(words)
+    symbol = Markup("{}<sub>{}</sub>{}")
+    return escape_markup(plain) + Markup("").join(symbol.format(*parts[i : i + 3]) for i in range(0, len(parts), 3))
+
+
+def plain_subscripts(words: str) -> str:
+    """The same where HTML cannot be: e_p becomes eₚ. Words with an index that Unicode cannot lower stay as they are."""
+    if any(letter not in _UNICODE_SUBSCRIPTS for _, index in _SYMBOL.findall(words) for letter in index):
+        return words
+    return _SYMBOL.sub(lambda found: found[1] + "".join(map(_UNICODE_SUBSCRIPTS.__getitem__, found[2])), words)
 
 
 @lru_cache(maxsize=256)

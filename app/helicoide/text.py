@@ -11,15 +11,37 @@ Language = Literal["en", "pt_BR"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 
-class _DecimalCommaFormatter(Formatter):
-    """Formats as `str.format` does, with a decimal comma in numbers."""
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def power_of_ten(exponent: int) -> str:
+    """A power of ten, such as 10⁻⁶."""
+    return "10" + str(exponent).translate(_RAISED)
+
+
+def _with_power_of_ten(shown: str) -> str:
+    """A formatted number; an exponent such as e-17 becomes ×10⁻¹⁷."""
+    mantissa, e, exponent = shown.partition("e")
+    return f"{mantissa}×{power_of_ten(int(exponent))}" if e else mantissa
+
+
+def significant_digits(value: float, digits: int) -> str:
+    """A number of `digits` significant digits; an exponent is written as a power of ten with superscripts."""
+    return _with_power_of_ten(f"{value + 0.0:.{digits}g}")  # + 0.0: no -0
+
+
+class _NumberFormatter(Formatter):
+    """Formats as `str.format` does, with this decimal mark in numbers, and powers of ten in place of exponents."""
+
+    def __init__(self, mark: str) -> None:
+        self.mark = mark
 
     def format_field(self, value: object, format_spec: str) -> str:
         shown: str = super().format_field(value, format_spec)
-        return shown.replace(".", ",") if isinstance(value, float) else shown
+        return _with_power_of_ten(shown).replace(".", self.mark) if isinstance(value, float) else shown
 
 
-_WITH_COMMA = _DecimalCommaFormatter()
+_WITH_POINT, _WITH_COMMA = _NumberFormatter("."), _NumberFormatter(",")
 
 
 @dataclass(frozen=True)
@@ -33,13 +55,25 @@ class Text:
         return self.pt_BR if language == "pt_BR" else self.en
 
     def format(self, **fields: object) -> Text:
-        """Fill the fields in both languages; a field may be a `Text`; floats get a decimal comma in Portuguese."""
+        """Fill the fields in both languages; a field may be a `Text`.
+
+        Floats get a decimal comma in Portuguese, and a power of ten in place of an exponent.
+        """
         return Text(
-            en=self.en.format(**{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
+            en=_WITH_POINT.format(self.en, **{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
             pt_BR=_WITH_COMMA.format(
                 self.pt_BR, **{k: v["pt_BR"] if isinstance(v, Text) else v for k, v in fields.items()}
             ),
         )
+
+
+def sentence_case(text: Text) -> Text:
+    """The text with a capital at its beginning, as labels have it; a symbol such as x or λ stays."""
+    return Text(en=_capitalized(text.en), pt_BR=_capitalized(text.pt_BR))
+
+
+def _capitalized(words: str) -> str:
+    return words[:1].upper() + words[1:] if words[:2].isalpha() and words[:2].islower() else words
 
 
 def untranslated(word: str) -> Text:
@@ -53,8 +87,13 @@ def with_decimal_comma(shown: str) -> Text:
 
 
 def number_text(value: float, spec: str = "g") -> Text:
-    """A number in a format such as ".3g", with a decimal comma in Portuguese."""
-    return with_decimal_comma(f"{value:{spec}}")
+    """A number in a format such as ".3g", with a decimal comma in Portuguese and a power of ten, not an exponent."""
+    return with_decimal_comma(_with_power_of_ten(f"{value:{spec}}"))
+
+
+def significant_text(value: float, digits: int) -> Text:
+    """A number of so many significant digits, with a minus sign, ∞ and powers of ten."""
+    return with_decimal_comma(significant_digits(value, digits).replace("-", "−").replace("inf", "∞"))
 
 
 def rounded_text(value: float, decimals: int) -> Text:
@@ -62,10 +101,18 @@ def rounded_text(value: float, decimals: int) -> Text:
     return with_decimal_comma(f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−"))
 
 
+def rounded_numbers(values: Iterable[float], decimals: int) -> Text:
+    """Several such numbers, separated as in `numbers_text`."""
+    return _separated([rounded_text(value, decimals) for value in values])
+
+
 def numbers_text(values: Iterable[float], spec: str = "g") -> Text:
     """Several numbers: separated by commas in English, by semicolons in Portuguese because of its decimal comma."""
-    texts = [number_text(value, spec) for value in values]
-    return Text(en=", ".join(text.en for text in texts), pt_BR="; ".join(text.pt_BR for text in texts))
+    return _separated([number_text(value, spec) for value in values])
+
+
+def _separated(numbers: Sequence[Text]) -> Text:
+    return Text(en=", ".join(text.en for text in numbers), pt_BR="; ".join(text.pt_BR for text in numbers))
 
 
 def join_texts(texts: Sequence[Text], by: str = "; ") -> Text:

@@ -63,7 +63,7 @@ class Crowd:
         for number, page in enumerate(self.pages):
             for layer in layers.optional():
                 await page.give(layer.TITLE.en, True)
-            await page.give("expression", "p = M_tool >> point(0, 0, 0.1)")
+            await page.give("Expression", "p = M_tool >> point(0, 0, 0.1)")
             await page.press("Enter line")
             await page.give("Highlight", "end-effector motor")
             await page.give("Signals", joints.TITLE.en)

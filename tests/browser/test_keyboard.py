@@ -98,7 +98,7 @@ def test_escape_closes_a_list_and_says_no_more_where_nothing_moved(lab: Lab, pag
             lab.post(gate.set_target([0.6, 0.0, 0.2], [1.0, 0.0, 0.0, 0.0]))
             until(page, lambda: isinstance(lab.state.request.command, MoveToPose) and not lab.state.arm.moving)
             lab.ticks(page, 300)
-        page.get_by_label("path", exact=True).click()
+        page.get_by_label("Path", exact=True).click()
         page.get_by_role("option", name="circle").wait_for()
         page.keyboard.press("Escape")
         page.get_by_role("option", name="circle").wait_for(state="hidden")

@@ -71,7 +71,7 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     assert reads(page, "inversion error") == []
     choose(page, "Method", "filtered inverse")
     until(page, lambda: len(reads(page, "inversion error")) == 1)
-    choose(page, "integration", "explicit Euler")
+    choose(page, "Integration", "explicit Euler")
     until(page, lambda: lab.state.request.controller.options("filtered").step == "euler")
     choose(page, "Method", "damped least squares")
     damping = page.get_by_role("slider", name="damping λ")
@@ -96,7 +96,7 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     until(page, lambda: lab.state.request.controller.secondary is not None)
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
     q, tool = lab.state.arm.q, lab.state.T_world_tool[:3, 3]
-    page.get_by_label("adapt weights near joint limits").click()
+    page.get_by_label("Adapt weights near joint limits").click()
     lab.post(gate.weigh_objective(50.0))
     until(page, lambda: bool(np.abs(lab.state.arm.q - q).max() > 0.05))
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3

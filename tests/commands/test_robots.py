@@ -73,7 +73,7 @@ def test_people_read_joints_limits_source_and_agreement(
     assert load_robot("scara").source in source
     assert f"over {POSTURES} random postures" in agreement
     assert rest[0].startswith("movemaster: ")
-    assert "printed -y: 0.0577 e1" in rest[6]
+    assert "printed −y: 0.0577 e₁" in rest[6]
     assert len(rest) == 9
 
 

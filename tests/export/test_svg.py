@@ -10,7 +10,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.export.svg import BOTTOM, LEFT, PAGE, RIGHT, TOP, axis_range, figure, labels, reduced_curve, svg, ticks
+from helicoide.export.svg import (
+    BOTTOM,
+    CHARACTER,
+    LEFT,
+    PAGE,
+    RIGHT,
+    TOP,
+    axis_range,
+    figure,
+    labels,
+    power_labels,
+    reduced_curve,
+    svg,
+    ticks,
+)
 from helicoide.studies.study import Chart, ChartLine
 from helicoide.text import Text, untranslated
 
@@ -51,7 +65,7 @@ def test_labels_tell_ticks_apart(range_: tuple[float, float]) -> None:
     [
         ((0.0, 0.2, 0.4), ["0.0", "0.2", "0.4"]),
         ((99.5, 100.0, 100.5), ["99.5", "100.0", "100.5"]),
-        ((0, 1e-7), ["0", "1e-07"]),
+        ((0, 1e-7), ["0", "1×10⁻⁷"]),
         ((-100.0, 0.0, 100.0), ["-100", "0", "100"]),
         ((150.0, 200.0, 250.0), ["150", "200", "250"]),
     ],
@@ -112,3 +126,20 @@ def test_thinning_keeps_the_peaks_of_a_long_curve() -> None:
     around = np.linspace(0, 2 * np.pi, 60_000)
     assert len(reduced_curve(np.cos(around), np.sin(around))[0]) == 4 * WIDTH
     assert reduced_curve(x[:9], y[:9])[0] is not None
+
+
+@pytest.mark.parametrize("values", [(1e-7, 1e-2), (1e-5, 1e4), (0.0101, 0.0102), (-1234.5, 98765.4)])
+@pytest.mark.parametrize("log", [False, True])
+def test_no_label_is_cut_at_the_left(values: tuple[float, float], log: bool) -> None:
+    """A character is at most `CHARACTER` wide."""
+    x, y = np.array([0.0, 1.0]), np.abs(values) if log else np.array(values)
+    name = untranslated("y")
+    drawn = svg(Chart(name, name, name, (ChartLine(name, x, y),), log=log), "pt_BR")
+    for right, label in re.findall(r'<text x="([\d.]+)" y="[\d.]+" text-anchor="end">([^<]*)<', drawn):
+        assert float(right) >= CHARACTER * len(label)
+        assert "e" not in label
+        assert "-" not in label
+
+
+def test_powers_of_ten_are_written_shortly() -> None:
+    assert power_labels(np.array([1e-5, 1e-3, 0.1, 1.0, 1e3, 1e4])) == ["10⁻⁵", "0.001", "0.1", "1", "1000", "10⁴"]

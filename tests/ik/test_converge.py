@@ -111,7 +111,7 @@ def test_an_arm_at_a_singular_posture_says_that_it_cannot_move() -> None:
     assert report.iterations == converge.PAUSES
     np.testing.assert_allclose(report.errors, [[1.0, 0.0]] * 6, rtol=0, atol=1e-9)
     assert "singular" in report.words.en
-    assert "1e+03 mm" in report.words.pt_BR
+    assert "1×10³ mm" in report.words.pt_BR
 
 
 def test_a_method_that_gives_nothing_is_told_from_a_singular_posture() -> None:

@@ -64,7 +64,7 @@ MISTAKES = {
     ),
     "two joints of a name": ('name = "J2"', 'name = "J1"', ["J1", "name of its own"]),
     "a length of nothing": ("[gripper]", "[parameters]\nl1 = 0\n[gripper]", ["l1", "positive", "not 0"]),
-    "a whole number without end": ("d_mm = 400", "d_mm = 1" + "0" * 20, ["number", "1e+09"]),
+    "a whole number without end": ("d_mm = 400", "d_mm = 1" + "0" * 20, ["number", "1×10⁹"]),
     "more digits than Python reads": ("d_mm = 400", "d_mm = 1" + "0" * 5000, ["number"]),
     "a key of many dots": ("d_mm = 400", "d_mm = 400\n" + "a." * 9000 + "a = 1", ["dots"]),
     "deep": ("d_mm = 400", "d_mm = " + "[" * 9000, ["too deep"]),

@@ -135,7 +135,7 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
         (HEADER + POINT.replace("[0.0, ", "["), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "nan"), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "-inf"), "takes 5 finite joint values"),
-        (HEADER + POINT.replace("-1.0", "1e300"), "sets J3 to 1e+300 rad"),
+        (HEADER + POINT.replace("-1.0", "1e300"), "sets J3 to 1×10³⁰⁰ rad"),
         (HEADER + POINT.replace("-1.0", "1" + "0" * 400), "not a waypoint file"),
         (HEADER + POINT.replace("-1.0", "'one'"), "not a waypoint file"),
         (HEADER + POINT.replace('"x"', '"x\\u0000"'), "visible characters"),

@@ -15,6 +15,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.view import layers, shapes
+from helicoide.view.figures import BETWEEN
 from helicoide.view.layers import Stage
 from helicoide.view.requests import PageRequest
 from helicoide.view.window import new_seat
@@ -70,7 +71,7 @@ class Drawn:
         labels: list[Any] = []
         while (label := self.node(f"name {len(labels)}")) is not None:
             labels.append(label)
-        return [label.text for label in labels]
+        return [name for label in labels for name in label.text.split(BETWEEN)]
 
     def place(self, number: int) -> Array:
         """Where a text stands, (3,), m."""

@@ -24,11 +24,12 @@ from helicoide.view.layers import (
     obstacles,
     path,
     planes,
+    playground,
     target,
     trail,
 )
 
-LEAST, SHADE = 10.0, 3.0  # ΔE₀₀, and the contrast of lines with the background
+LEAST, SHADE, TINT = 10.0, 3.0, 1.3  # ΔE₀₀, and the contrast of lines and of translucent bodies with the background
 LEGIBLE = 4.5  # contrast of text with its background
 BACKGROUNDS = {"light": (255, 255, 255), "dark": (20, 20, 20)}  # of viser's scene
 STYLES = {name: (content.STATIC / name).read_text("utf-8") for name in ("panel.css", "helicoide.css")}
@@ -123,6 +124,14 @@ def test_no_text_has_a_colour_of_one_look_alone() -> None:
 def test_lines_are_seen_on_both_backgrounds(background: str) -> None:
     for colour in (*colours.LINES, planes.COLOURS[Zone.FREE], planes.COLOURS[Zone.CRITICAL]):
         assert contrast(colour, BACKGROUNDS[background]) >= SHADE, colour
+
+
+@pytest.mark.parametrize("background", BACKGROUNDS.values())
+def test_the_ball_of_quaternions_and_its_circles_are_seen_on_both_backgrounds(background: tuple[int, ...]) -> None:
+    share = playground.OPACITY
+    mixed = [share * a + (1 - share) * b for a, b in zip(playground.BALL, background, strict=True)]
+    assert contrast(tuple(map(round, mixed)), background) >= TINT
+    assert playground.BALL in colours.LINES
 
 
 def test_the_colours_of_lines_and_outlines_are_of_the_palette() -> None:

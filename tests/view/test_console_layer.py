@@ -109,7 +109,7 @@ def test_the_drawing_follows_the_arm_and_the_eye(server: viser.ViserServer, stat
     drawn.update(first, second)
     np.testing.assert_allclose(point.position, second.state.T_world_tool[:3, 3])
     np.testing.assert_allclose(motor.position, second.state.T_world_tool[:3, 3])
-    assert [label.text for label in drawn.names.labels] == ["p", "2"]
+    assert [label.text for label in drawn.names.labels] == ["p · 2"]
     np.testing.assert_allclose(drawn.names.labels[0].position, second.state.T_world_tool[:3, 3])
     third = view_of(second.state, with_shown(sheet, False, 0))
     drawn.update(second, third)  # the motor is the first that is drawn now

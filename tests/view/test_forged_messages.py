@@ -165,7 +165,7 @@ def test_an_obstacle_dragged_to_no_place_stays(session: Lab, page: Page, positio
     after_ticks(session)
     np.testing.assert_array_equal(arm(session).problem.obstacles.ends, before)
     assert eventually(lambda: "Remove sphere 1" in page.made)
-    page.give("sphere 1: radius [mm]", 1e9)
+    page.give("Sphere 1: radius [mm]", 1e9)
     after_ticks(session)
     np.testing.assert_array_equal(arm(session).problem.obstacles.ends, before)
     page.give("Remove sphere 1", True)

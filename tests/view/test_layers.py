@@ -19,6 +19,7 @@ from helicoide.contributions.trials import with_joints
 from helicoide.geometry import rigid, rotation
 from helicoide.kinematics.differential import frame_jacobian
 from helicoide.kinematics.forward import dh_frames, link_motors, link_poses, tool_by_screws
+from helicoide.readout.signal import subscript
 from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures
 from helicoide.state import State, initial_state
@@ -164,7 +165,7 @@ def test_the_columns_of_the_jacobian(server: viser.ViserServer, name: str) -> No
         arrows = drawn.points(part)
         same(arrows[:, 0], np.tile(tool, (len(columns), 1)))
         same(arrows[:, 1], tool + scale * columns)
-    assert drawn.names == [f"J{i + 1}" for i in range(J.shape[1])]
+    assert sorted(drawn.names) == sorted(subscript("J", i + 1) for i in range(J.shape[1]))
 
 
 @pytest.mark.parametrize(

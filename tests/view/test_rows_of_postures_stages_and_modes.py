@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.driving import after
+from tests.driving import after, with_joints
 
 from helicoide import gate, readout
 from helicoide.export import stage_table
@@ -18,7 +18,7 @@ from helicoide.seat import Seat
 from helicoide.session.postures import list_postures
 from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, Language
-from helicoide.view.modes import mode_table
+from helicoide.view.modes import _table, mode_table
 from helicoide.view.panels import algebra, method, robot
 from helicoide.view.posture_rows import posture_rows
 from helicoide.view.requests import ForArm, ForSeat, ListPostures
@@ -134,6 +134,19 @@ def test_the_modes_come_to_the_inverse_of_each_singular_value(puma: State, name:
     assert "Resíduos" in said
     numbers = said[said.index("<table") : said.index("</table>")]
     assert "." not in numbers.rpartition("</th>")[2]
+
+
+def test_a_singular_value_that_is_lost_in_rounding_is_0_and_its_time_infinite() -> None:
+    start = initial_state(load_robot("planar2r"))
+    state = gate.choose_method("filtered")(with_joints(start, np.zeros(2)))
+    state = gate.set_target(state.T_world_tool[:3, 3] - [0.02, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0])(state)
+    found = readout.method_modes(after(state, 0.01))
+    assert found is not None
+    lost = replace(found, sigma=np.array([*found.sigma[:-1], 1.106e-17]), rates=np.full_like(found.rates, 1e-32))
+    said = _table(lost, "pt_BR")
+    assert "<td>0</td>" in said
+    assert "<td>∞</td>" in said
+    assert "⁻¹⁷" not in said
 
 
 def test_other_methods_have_no_modes(puma: State) -> None:

@@ -31,9 +31,9 @@ PURE = (
     "points per link",
     "steepness k",
     "share of the range",
-    "Axis of q₁",
-    "Axis of q₂",
-    "Way from q₁ to q₂, t",
+    "axis of q₁",
+    "axis of q₂",
+    "way from q₁ to q₂, t",
 )
 # In brackets, or after the value. The folder of the joints says “Joints [°]”.
 UNIT = re.compile(r"\[.+\]|: \S+ \S+|^\d ")
@@ -58,7 +58,7 @@ def test_every_number_has_a_unit(name: str) -> None:
         for row in leaves([panel.rows(robot) for panel in panels.all_panels()], view):
             if isinstance(row, Slider | VectorRow):
                 label = row.label if isinstance(row.label, Text) else row.label(view)
-                if not UNIT.search(label.en.rstrip("\u2063")) and not label.en.startswith(PURE):
+                if not UNIT.search(label.en.rstrip("\u2063")) and not label.en.casefold().startswith(PURE):
                     bare.add(label.en)
                 exponents |= {label[language] for language in LANGUAGES if re.search(r"\de[+-]\d", label[language])}
     assert bare == set()

@@ -22,7 +22,7 @@ from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.singularity import NEAR_SINGULAR, singularity
 from helicoide.kinematics.stages import StageKind
-from helicoide.text import HelicoideError, Text, numbers_text, untranslated, with_decimal_comma
+from helicoide.text import HelicoideError, Text, number_text, numbers_text, untranslated
 
 POSE = Text(
     en="{road:>16}: position {position} m; quaternion wxyz {quaternion}",
@@ -188,7 +188,10 @@ def _motors(found: list[Motor] | Text) -> list[dict[str, Any]]:
 
 def _warning(joint: JointVariable, value: float, deg: bool) -> Text:
     scale, unit = (1.0, " m") if joint.is_prismatic else (180 / np.pi, "°") if deg else (1.0, " rad")
-    given, lower, upper = (with_decimal_comma(f"{scale * x:.6g}{unit}") for x in (value, joint.lower, joint.upper))
+    given, lower, upper = (
+        untranslated("{x}{unit}").format(x=number_text(scale * x, ".6g"), unit=unit)
+        for x in (value, joint.lower, joint.upper)
+    )
     return OUTSIDE.format(joint=joint.name, value=given, lower=lower, upper=upper)
 
 

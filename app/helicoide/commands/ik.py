@@ -21,7 +21,7 @@ from helicoide.ik.postures.choice import COLLIDES, Ranked, equal_weights
 from helicoide.ik.postures.solve import answer_status, ranked_postures, reached, solve, solve_by
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Language, Text, with_decimal_comma
+from helicoide.text import HelicoideError, Language, Text, number_text, numbers_text, untranslated, with_decimal_comma
 
 URDF = euler.EXTRINSIC + "xyz"
 RESIDUAL = Text(
@@ -30,6 +30,7 @@ RESIDUAL = Text(
 )
 WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
 OUTSIDE_LIMITS = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
+NO_NUMBER = Text(en="none", pt_BR="nenhum")
 COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
 RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
 ALL_COLLIDE = Text(en="every posture found touches the obstacle", pt_BR="toda postura encontrada toca o obstáculo")
@@ -37,7 +38,7 @@ ALL_COLLIDE = Text(en="every posture found touches the obstacle", pt_BR="toda po
 
 def run(
     robot: tyro.conf.Positional[str],
-    position: Annotated[tuple[float, ...], tyro.conf.arg(help="where the tool is to be: X Y Z, m", metavar="X Y Z")],
+    position: Annotated[tuple[float, ...], tyro.conf.arg(help="where the end effector is to be, m", metavar="X Y Z")],
     quat: Annotated[tuple[float, ...] | None, tyro.conf.arg(metavar="W X Y Z")] = None,
     rpy: Annotated[tuple[float, ...] | None, tyro.conf.arg(metavar="R P Y")] = None,
     deg: bool = False,
@@ -175,7 +176,7 @@ def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
         f"{joint.name} {_value(float(x), joint.is_prismatic, deg)[spoken]}"
         for joint, x in zip(robot.variables, row.q, strict=True)
     )
-    turned = with_decimal_comma(f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad")
+    turned = _turned(branch.turned, deg)
     left = RESIDUAL.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else OUTSIDE_LIMITS)[
         spoken
     ]
@@ -187,6 +188,11 @@ def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
     yield left
     if robot.actuators is not None:
         yield f"   {robot.actuators.description(row.q)[spoken]}"
+
+
+def _turned(angle: float, deg: bool) -> Text:
+    value, unit = (number_text(np.degrees(angle), ".4f"), "°") if deg else (number_text(angle, ".2e"), " rad")
+    return untranslated("{value}{unit}").format(value=value, unit=unit)
 
 
 def _value(x: float, slides: bool, deg: bool) -> Text:
@@ -239,6 +245,6 @@ def _checked(values: tuple[float, ...], option: str, count: int) -> Array:
             Text(
                 en="{option} takes {n} finite numbers, not {given}.",
                 pt_BR="{option} recebe {n} números finitos, não {given}.",
-            ).format(option=option, n=count, given=", ".join(f"{value:g}" for value in values) or "none")
+            ).format(option=option, n=count, given=numbers_text(values) if values else NO_NUMBER)
         )
     return frozen(values)

@@ -8,9 +8,8 @@ from math import floor, log10
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.export.study_table import power_of_ten
 from helicoide.studies.study import Chart
-from helicoide.text import untranslated
+from helicoide.text import power_of_ten, untranslated
 
 # A smaller span needs more than three decimals, and a larger value more than five digits.
 LEAST_SPAN, MOST_VALUE = 0.05, 1e4

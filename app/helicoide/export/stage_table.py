@@ -91,7 +91,7 @@ def stages_json(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> dic
         "kind": kind,
         "units": units,
         "partial": {
-            "dh": f"pose of DH frame i in {robot.base_link}; the last is not the tool frame {robot.tool_link}",
+            "dh": f"pose of DH frame i in {robot.base_link}; the last is not the end effector frame {robot.tool_link}",
             "screws": f"H_1 … H_i: displacement of link i from q = 0, axes of {robot.base_link}",
             "products": f"h_1 … h_i: the same as coefficients of 1, i, j, k, ε, iε, jε, kε, axes of {robot.base_link}",
         }[kind],

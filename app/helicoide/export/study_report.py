@@ -13,6 +13,7 @@ from helicoide.export.chart_scale import scaled_chart
 from helicoide.export.study_table import HEADINGS, computed_cell, fitted_line, row_cells, sorted_by_verdict, source_cell
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
+from helicoide.markup import typeset
 from helicoide.studies.study import Interpretation, Result, Row, Statement, Study, Verdict
 from helicoide.text import Language, Text, untranslated
 
@@ -150,7 +151,7 @@ def report_page(records: Sequence[Record], seconds: float, language: Language) -
         sections=Markup("\n").join(_section(record, language) for record in records),
         differs=DIFFERS[language],
         differences=Markup("<ul>{}</ul>").format(
-            _joined(item.format(words[language]) for words in differences(records))
+            _joined(item.format(typeset(words[language])) for words in differences(records))
         ),
         errata=errata.sources_page(language),
     )
@@ -227,7 +228,7 @@ def _section(record: Record, language: Language) -> Markup:
         name=record.name,
         title=study.TITLE[language] + short,
         source=study.SOURCE,
-        about=study.ABOUT[language],
+        about=typeset(study.ABOUT[language]),
         options=Markup('<p class="source">{}</p>\n').format(options) if options else "",
         body=_body(record, language),
         took=TOOK.format(robot=study.ROBOT, seconds=record.seconds)[language],
@@ -240,7 +241,7 @@ def _body(record: Record, language: Language) -> Markup:
         return Markup('<p class="verdict differs">{}</p>').format(FAILED.format(why=why)[language])
     chosen = fitted_line(record.result)
     return TABLE.format(
-        fitted=Markup('<p class="source">{}</p>\n').format(chosen[language]) if chosen else "",
+        fitted=Markup('<p class="source">{}</p>\n').format(typeset(chosen[language])) if chosen else "",
         heads=_joined(Markup("<th>{}</th>").format(head[language]) for head in HEADINGS),
         rows=Markup("\n").join(_row(row, language) for row in sorted_by_verdict(record.result.rows)),
         charts=Markup("\n").join(figure(scaled_chart(chart), language) for chart in record.result.charts),
@@ -248,7 +249,7 @@ def _body(record: Record, language: Language) -> Markup:
 
 
 def _row(row: Row, language: Language) -> Markup:
-    *plain, verdict = (cell[language] for cell in row_cells(row))
+    *plain, verdict = (typeset(cell[language]) for cell in row_cells(row))
     said = Markup('<a href="#{}">{}</a>').format(row.erratum, verdict) if row.verdict is Verdict.ERRATUM else verdict
     return Markup('<tr>{}<td><span class="verdict {}">{}</span></td></tr>').format(
         _joined(Markup("<td>{}</td>").format(cell) for cell in plain), row.verdict.name.lower(), said

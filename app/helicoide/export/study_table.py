@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import floor, isfinite, log10
 
 from helicoide.studies.study import Fitted, Interpretation, Result, Row, Statement, Verdict
-from helicoide.text import Text, join_texts, untranslated, with_decimal_comma
+from helicoide.text import Text, join_texts, significant_digits, untranslated, with_decimal_comma
 
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
@@ -25,7 +25,6 @@ HOLDS = Text(
 )
 BOUND, BETWEEN = untranslated("{relation} {value}"), untranslated("{value} ± {within}")
 DECADE = Text(en="{value} to {end}", pt_BR="{value} a {end}")
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FINEST, DIGITS = 1e-6, 6
 
 
@@ -44,17 +43,6 @@ def with_unit(shown: str, unit: str) -> str:
 def localized_number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> Text:
     """The same number in both languages."""
     return with_decimal_comma(format_number(value, unit, tolerance, digits).replace("-", "−"))
-
-
-def significant_digits(value: float, digits: int) -> str:
-    """A number of `digits` significant digits; an exponent is written as a power of ten with superscripts."""
-    mantissa, e, exponent = f"{value + 0.0:.{digits}g}".partition("e")  # + 0.0: no -0
-    return f"{mantissa}×{power_of_ten(int(exponent))}" if e else mantissa
-
-
-def power_of_ten(exponent: int) -> str:
-    """A power of ten, such as 10⁻⁶."""
-    return "10" + str(exponent).translate(RAISED)
 
 
 def sorted_by_verdict(rows: Sequence[Row]) -> list[Row]:

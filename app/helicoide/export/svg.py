@@ -13,18 +13,19 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.arrays import Array
-from helicoide.export.study_table import significant_digits
+from helicoide.markup import typeset
 from helicoide.studies.study import Chart, ChartLine
-from helicoide.text import Language, with_decimal_comma
+from helicoide.text import Language, power_of_ten, significant_digits, with_decimal_comma
 
 # The size of a chart on a page: small enough for its words to be read on a phone, where it is drawn smaller than this.
 PAGE = (520, 300)
 LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 26
+CHARACTER, GAP = 9, 6  # width of a digit where letters are largest, and of the space between a label and the frame
 # Distinguishable with colour blindness (Okabe and Ito 2008); dashes distinguish curves without colour.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#696969")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
 MIN_TICKS, MAX_TICKS = 4, 8
-FINEST, COARSEST = 1e-4, 1e6
+FINEST, COARSEST, PLAIN_POWER = 1e-4, 1e6, 3
 
 
 def ticks(lower: float, upper: float) -> Array:
@@ -49,7 +50,13 @@ def labels(values: Array) -> list[str]:
         decimals = max(0, -floor(log10(step) + 1e-9))
         return [f"{value:.{decimals}f}" for value in values]
     digits = 2 + floor(log10(max(largest, step) / step) + 1e-9)
-    return [f"{value:.{digits}g}" for value in values]
+    return [significant_digits(value, digits) for value in values]
+
+
+def power_labels(values: Array) -> list[str]:
+    """The labels of powers of ten, such as 0.01 or 10⁻⁵."""
+    exponents = [round(log10(value)) for value in values]
+    return [f"{10.0**n:g}" if abs(n) <= PLAIN_POWER else power_of_ten(n) for n in exponents]
 
 
 def axis_range(values: list[Array], log: bool = False) -> tuple[float, float]:
@@ -78,7 +85,7 @@ def reduced_curve(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Ar
 class ChartFrame:
     """The frame of a chart, in SVG units, and the ranges (lower, upper) of its axes.
 
-    log: whether the vertical axis is logarithmic.
+    log: whether the vertical axis is logarithmic; left: the room for its labels.
     """
 
     width: int
@@ -86,6 +93,7 @@ class ChartFrame:
     x_range: tuple[float, float]
     y_range: tuple[float, float]
     log: bool = False
+    left: int = LEFT
 
     @property
     def bottom(self) -> int:
@@ -95,7 +103,7 @@ class ChartFrame:
     def x_pixels(self, x: Array) -> Array:
         """The horizontal SVG coordinates of values of x."""
         share = (x - self.x_range[0]) / (self.x_range[1] - self.x_range[0])
-        return np.asarray(LEFT + share * (self.width - LEFT - RIGHT))
+        return np.asarray(self.left + share * (self.width - self.left - RIGHT))
 
     def y_pixels(self, y: Array) -> Array:
         """The vertical SVG coordinates of values of y."""
@@ -107,8 +115,14 @@ def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Marku
     """A chart as an SVG element, without title and legend."""
     across = axis_range([line.x for line in chart.lines])
     up = chart.y_range or axis_range([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log)
-    frame = ChartFrame(*size, across, up, chart.log)
-    inside = (*_grid(frame, language), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
+    marks = powers(*up) if chart.log else ticks(*up)
+    words = [_written(label, language) for label in (power_labels(marks) if chart.log else labels(marks))]
+    left = max(LEFT, GAP + CHARACTER * max(map(len, words), default=0))
+    frame = ChartFrame(*size, across, up, chart.log, left)
+    inside = (
+        *_grid(frame, list(zip(frame.y_pixels(marks), words, strict=True)), language),
+        *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)),
+    )
     return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
         frame.width, frame.height, chart.title[language], Markup("\n").join(inside)
     )
@@ -118,35 +132,37 @@ def caption(chart: Chart, language: Language) -> Markup:
     """The title and the axis labels of a chart as HTML text, which can wrap."""
     title = f"{chart.title[language]} ({chart.figure})" if chart.figure else chart.title[language]
     return Markup('<figcaption>{}</figcaption>\n<p class="axes"><span>↑ {}</span> <span>→ {}</span></p>').format(
-        title, chart.y_label[language], chart.x_label[language]
+        *map(typeset, (title, chart.y_label[language], chart.x_label[language]))
     )
 
 
 def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart with its title above and its legend below."""
     names = Markup("").join(
-        Markup("<li>{} {}</li>").format(_swatch(i), line.title[language]) for i, line in enumerate(chart.lines)
+        Markup("<li>{} {}</li>").format(_swatch(i), typeset(line.title[language])) for i, line in enumerate(chart.lines)
     )
     return Markup("<figure>{}\n{}\n<ul>{}</ul></figure>").format(
         caption(chart, language), svg(chart, language, size), names
     )
 
 
-def _grid(frame: ChartFrame, language: Language) -> list[Markup]:
-    x, y = ticks(*frame.x_range), powers(*frame.y_range) if frame.log else ticks(*frame.y_range)
-    floor_y, edge = frame.bottom, frame.width - RIGHT
+def _written(label: str, language: Language) -> str:
+    return with_decimal_comma(label.replace("-", "−"))[language]
+
+
+def _grid(frame: ChartFrame, up: list[tuple[float, str]], language: Language) -> list[Markup]:
+    """The frame, the grid and the labels. up: heights and labels of the marks of y."""
+    x, floor_y, edge = ticks(*frame.x_range), frame.bottom, frame.width - RIGHT
     frame_of = Markup('<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>')
     path = Markup('<path class="grid" d="{}"/>')
     text = Markup('<text x="{}" y="{}" text-anchor="{}">{}</text>')
-    rows = [frame_of.format(LEFT, TOP, edge - LEFT, floor_y - TOP)]
+    rows = [frame_of.format(frame.left, TOP, edge - frame.left, floor_y - TOP)]
     for at, label in zip(frame.x_pixels(x), labels(x), strict=True):
         rows.append(path.format(f"M{at:.1f} {TOP}V{floor_y}"))
-        rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", with_decimal_comma(label)[language]))
-    for at, label in zip(
-        frame.y_pixels(y), [significant_digits(v, 2) for v in y] if frame.log else labels(y), strict=True
-    ):
-        rows.append(path.format(f"M{LEFT} {at:.1f}H{edge}"))
-        rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", with_decimal_comma(label)[language]))
+        rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", _written(label, language)))
+    for at, label in up:
+        rows.append(path.format(f"M{frame.left} {at:.1f}H{edge}"))
+        rows.append(text.format(frame.left - GAP, f"{at + 4:.1f}", "end", label))
     return rows
 
 

@@ -18,7 +18,7 @@ from helicoide.kinematics.chain import Chain, Joint, JointVariable, chain_array,
 from helicoide.kinematics.dh import DhTable
 from helicoide.kinematics.robot_parts import FRAME_TITLES, Capsule, Frame, Gripper, MonitoredPoint, PlanePane
 from helicoide.kinematics.urdf_xml import root_link
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, numbers_text
 
 # Radius of the bodies of an arm whose file gives none, as a fraction of its reach; shorter segments are left out
 # unless a prismatic joint extends them.
@@ -190,7 +190,7 @@ class Robot:
                     robot=self.name,
                     n=len(self.variables),
                     names=", ".join(joint.name for joint in self.variables),
-                    given=", ".join(f"{value:g}" for value in values.ravel()),
+                    given=numbers_text(values.ravel()),
                 )
             )
         return values

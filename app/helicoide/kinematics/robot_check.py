@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from helicoide.kinematics.robot_file import CapsuleFile, FrameFile, JointFile, Matrix, PointFile, RobotFile
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, numbers_text
 
 # Shorter directions count as zero. Matrices that differ more from a rotation are refused; the tolerance allows for
 # entries written with a few digits.
@@ -54,7 +54,7 @@ def _check_parts(file: RobotFile, names: Sequence[str]) -> None:
         point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points
     ):
         raise _error(
-            "no monitored point of joint {name} lies at the tool, {at} mm",
+            "no monitored point of joint {name} lies at the end effector, {at} mm",
             "nenhum ponto vigiado da junta {name} fica no efetuador, {at} mm",
             name=names[-1],
             at=file.tool.position_mm,
@@ -191,7 +191,7 @@ def _positive(values: Sequence[float], en: str, pt_BR: str, name: str) -> None:
             "{what} must be positive, not {given}",
             "{what} deve ser maior que zero, não {given}",
             what=what,
-            given=", ".join(f"{value:g}" for value in values),
+            given=numbers_text(values),
         )
 
 

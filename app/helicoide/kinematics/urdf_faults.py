@@ -9,7 +9,7 @@ import yourdfpy
 
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.robot import Robot
-from helicoide.text import Text, join_texts, untranslated, with_decimal_comma
+from helicoide.text import Text, join_texts, number_text, untranslated
 
 AGREE = 1e-9
 NO_JOINT = Text(
@@ -85,5 +85,5 @@ def _place(joint: Joint, urdf: yourdfpy.URDF) -> Iterator[Text]:
 
 def _listed(values: tuple[float | None, ...]) -> Text:
     """Numbers with the decimal sign of each language."""
-    written = [f"{value:.6g}" if value is not None else "-" for value in values]
-    return join_texts([with_decimal_comma(number) for number in written] or [untranslated("-")])
+    written = [number_text(value, ".6g") if value is not None else untranslated("-") for value in values]
+    return join_texts(written or [untranslated("-")])

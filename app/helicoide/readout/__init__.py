@@ -15,12 +15,13 @@ from helicoide.readout.instruments import (
     target_pose,
 )
 from helicoide.readout.marks import Marks, coefficient_marks
-from helicoide.readout.meanings import INTRODUCTION, meaning, meanings
+from helicoide.readout.meanings import INTRODUCTION, meaning
 from helicoide.readout.partial_products import partial_displacements
 from helicoide.readout.pose_forms import PoseForms, forms_of_pose
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.roles import Role, role_of
 from helicoide.readout.screws import DrawnScrew, drawn_screw
+from helicoide.readout.shared_meanings import shared_meanings
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 from helicoide.readout.velocities import (
     balancing_torques,
@@ -72,7 +73,6 @@ __all__ = [
     "limited_by",
     "limiting",
     "meaning",
-    "meanings",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",
@@ -81,6 +81,7 @@ __all__ = [
     "position_analysis",
     "printed_planes",
     "role_of",
+    "shared_meanings",
     "slow_directions",
     "status",
     "target_pose",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from helicoide.arrays import Array
@@ -98,21 +96,16 @@ def meaning(nature: Nature, values: Array, blade: str | None, sign: float = 1.0)
 
     values: (16,) of `CL031`, m; sign: with which the stored coefficient is displayed.
     """
-    return meanings(nature, values, [(blade, sign)])[0]
-
-
-def meanings(nature: Nature, values: Array, blades: Iterable[tuple[str | None, float]]) -> list[Text]:
-    """The same for several blades, each with its sign."""
-    screw = motor.screw_from_motor(values) if nature == "motor" else None
-    return [_meaning(values, screw, role_of(nature, blade), sign) for blade, sign in blades]
-
-
-def _meaning(values: Array, screw: ScrewDisplacement | None, role: Role | None, sign: float) -> Text:
+    role = role_of(nature, blade)
     if role is None:
         return ZERO
-    said = _of_element(values, role) if screw is None else _of_motor(screw, role)
-    opposite = sign * role.sign * (-1 if role.part == "slide" else 1) < 0
-    return OPPOSITE.format(said=said) if opposite else said
+    said = _of_motor(motor.screw_from_motor(values), role) if nature == "motor" else _of_element(values, role)
+    return OPPOSITE.format(said=said) if has_opposite_sign(role, sign) else said
+
+
+def has_opposite_sign(role: Role, sign: float) -> bool:
+    """Whether a coefficient that is displayed with this sign is the opposite of what its words say."""
+    return sign * role.sign * (-1 if role.part == "slide" else 1) < 0
 
 
 def _of_element(values: Array, role: Role) -> Text:

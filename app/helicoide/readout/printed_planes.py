@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_parts import PlanePane
-from helicoide.text import Text, number_text, numbers_text, with_decimal_comma
+from helicoide.readout.signal import SUBSCRIPTS
+from helicoide.text import Text, rounded_numbers, rounded_text, with_decimal_comma
 
 LINE = Text(
     en="{name} ({title}): n = ({normal}), d = {offset} m; printed {printed}",
@@ -24,6 +27,11 @@ def printed_planes(robot: Robot) -> tuple[Text, ...]:
 
 
 def _line(pane: PlanePane) -> Text:
-    normal, offset = numbers_text(pane.normal, ".4f"), number_text(pane.offset, ".4f")
-    printed = with_decimal_comma(pane.as_printed)
-    return LINE.format(name=pane.name, title=pane.title, normal=normal, offset=offset, printed=printed)
+    printed = re.sub(r"(?<=\be)\d", lambda found: found[0].translate(SUBSCRIPTS), pane.as_printed)
+    return LINE.format(
+        name=pane.name,
+        title=pane.title,
+        normal=rounded_numbers(pane.normal, 4),
+        offset=rounded_text(pane.offset, 4),
+        printed=with_decimal_comma(printed.replace("-", "−")),
+    )

@@ -33,6 +33,7 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 
 SHORT, ARRIVED = 1e-3, 10e-3
 TURNED = np.radians(1.0)
+FOR_A_POSE = 6  # joints that an arm needs for position and orientation
 
 FOLLOWING = Text(en="Following: {path}.", pt_BR="Seguindo: {path}.")
 MOVING = Text(en="Moving.", pt_BR="Em movimento.")
@@ -228,20 +229,31 @@ def _distance_at(state: State, goal: Goal, contact: Contact) -> float:
 
 
 def _misaligned(state: State, goal: Goal) -> Text:
-    """Why the orientation is not reached: a joint at its limit, or too few joints."""
-    limit = next((reason for reason in goal.reasons if isinstance(reason, AtLimit)), None)
-    why = (
-        Text(
-            en="with {n} joints the position fixes the yaw",
-            pt_BR="com {n} juntas a posição determina a guinada",
-        ).format(n=len(state.robot.variables))
-        if limit is None
-        else Text(en="joint {n} is at its limit", pt_BR="a junta {n} está no limite").format(n=limit.joint + 1)
-    )
+    """That the position is reached alone, and why."""
     return Text(
         en="Position reached, orientation {turned:.0f}° from target: {why}.",
         pt_BR="Posição alcançada, orientação a {turned:.0f}° do alvo: {why}.",
-    ).format(turned=np.degrees(goal.orientation_error), why=why)
+    ).format(turned=np.degrees(goal.orientation_error), why=_why_misaligned(state, goal))
+
+
+def _why_misaligned(state: State, goal: Goal) -> Text:
+    """Why the orientation is not reached: a joint limit, the entry point, another constraint, or too few joints."""
+    limit = next((reason for reason in goal.reasons if isinstance(reason, AtLimit)), None)
+    joints = len(state.robot.variables)
+    if limit is not None:
+        return Text(en="joint {n} is at its limit", pt_BR="a junta {n} está no limite").format(n=limit.joint + 1)
+    if state.problem.entry is not None:
+        return Text(
+            en="the shaft must pass through its entry point", pt_BR="a haste tem de passar pelo ponto de entrada"
+        )
+    if joints < FOR_A_POSE:
+        return Text(
+            en="with {n} joints the position fixes the yaw", pt_BR="com {n} juntas a posição determina a guinada"
+        ).format(n=joints)
+    touching = next((reason for reason in goal.reasons if not isinstance(reason, AtSpeed | AtAcceleration)), None)
+    if touching is not None:
+        return Text(en="limited by: {what}", pt_BR="limitado por: {what}").format(what=_named(state.problem, touching))
+    return Text(en="closest reachable orientation shown", pt_BR="mostrada a orientação alcançável mais próxima")
 
 
 def limiting(state: State) -> list[Text]:

@@ -26,7 +26,7 @@ FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
 ARM = Interpretation(
     Text(en="axes, zero posture and speeds of our arm", pt_BR="eixos, postura zero e velocidades do nosso braço"),
     Text(
-        en="counted from another zero the joints have other numbers, and the tool moves alike",
+        en="counted from another zero the joints have other numbers, and the end effector moves alike",
         pt_BR="contadas de outro zero, as juntas têm outros números, e o efetuador se move igual",
     ),
 )
@@ -162,12 +162,12 @@ CURVES: Mapping[str, Curve] = {
     "entry": Curve(
         Text(en="Velocity of the shaft at the entry point", pt_BR="Velocidade da haste no ponto de entrada"),
         VELOCITY,
-        {"v_x": "v_x", "v_z": "v_z"},
+        {"v_x": "x", "v_z": "z"},
     ),
     "command": Curve(
         Text(en="Cartesian command", pt_BR="Comando cartesiano"),
         VELOCITY,
-        {"nu_x": "ν_x", "nu_y": "ν_y", "nu_z": "ν_z"},
+        {"nu_x": "x", "nu_y": "y", "nu_z": "z"},
     ),
     "lateral": Curve(
         Text(en="Distance of the shaft from the entry point", pt_BR="Distância da haste ao ponto de entrada"),

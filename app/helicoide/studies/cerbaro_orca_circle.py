@@ -80,7 +80,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 def components_chart(run: LoopRun) -> Chart:
     """Both components of the position error, mm."""
-    names, up = (untranslated("eₓ"), untranslated("e_y")), Text(en="error (mm)", pt_BR="erro (mm)")
+    names, up = (untranslated("x"), untranslated("y")), Text(en="error (mm)", pt_BR="erro (mm)")
     lines = tuple(
         ChartLine(name, subsampled_loop(run.t[1:]), subsampled_loop(run.errors[1:, i])) for i, name in enumerate(names)
     )
@@ -101,7 +101,7 @@ def circle_rows(closed: LoopRun, still_open: LoopRun, short: bool) -> tuple[Row,
             printed_statement("< 1 × 10⁻¹⁰", "§4.4.3, fig. 32"),
         ),
         Row(
-            Text(en="changes of sign of eₓ and e_y in a turn", pt_BR="trocas de sinal de eₓ e e_y numa volta"),
+            Text(en="changes of sign of e_x and e_y in a turn", pt_BR="trocas de sinal de e_x e e_y numa volta"),
             changes,
             "",
             OSCILLATES,

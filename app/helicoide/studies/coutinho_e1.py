@@ -55,9 +55,9 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="E1: three methods compared", pt_BR="E1: comparação de três métodos")
 SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
 ABOUT = Text(
-    en="The experiment on the robot: tool and entry point swing to and fro, and on the way the wrist passes θ₇ = 0. "
-    "There the plain inverse makes the joints race; damping and the filtered inverse trade accuracy of the tip for "
-    "calm joints, and which of them is better depends on κ, Γ and the path. At each instant the shaft follows the "
+    en="The experiment on the robot: end effector and entry point swing to and fro, and on the way the wrist passes θ₇ "
+    "= 0. There the plain inverse makes the joints race; damping and the filtered inverse trade accuracy of the tip "
+    "for calm joints, and which of them is better depends on κ, Γ and the path. At each instant the shaft follows the "
     "entry point by all three, H V_r = v_rd: its velocity there across its axis, H V_r, is that of the point, v_rd; "
     "over steps of 2 ms the racing joints of the plain inverse carry it 118 mm away, the other two keep it to 0.01 mm. "
     "The start is ours: of 1551 random ones two show the crossings and the racing joints that are told of E1; that the "

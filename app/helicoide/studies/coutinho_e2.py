@@ -8,13 +8,13 @@ from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, sign_changes
 from helicoide.studies.study import INPUT_VALUE, Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
-TITLE = Text(en="E2: a hand leads the tool", pt_BR="E2: a mão conduz a ponta")
+TITLE = Text(en="E2: a hand leads the end effector", pt_BR="E2: a mão conduz a ponta")
 SOURCE = "Coutinho 2015, §4.2, §4.2.2, figs. 4.31–4.37, tab. 4.3"
 ABOUT = Text(
-    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point stands still; the "
-    "filtered inverse answers every 2 ms, with the gains of the experiments. How the hand moves is ours, and it keeps "
-    "away from the singularity θ₇ = 0; the shaft slides and turns in its entry point without pushing it. The source "
-    "measured this on the robot; here hand and arm are simulated, without noise.",
+    en="A hand on a haptic device leads the end effector, a thousand poses a second, while the entry point stands "
+    "still; the filtered inverse answers every 2 ms, with the gains of the experiments. How the hand moves is ours, "
+    "and it keeps away from the singularity θ₇ = 0; the shaft slides and turns in its entry point without pushing it. "
+    "The source measured this on the robot; here hand and arm are simulated, without noise.",
     pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, com o ponto de entrada parado; a "
     "inversa filtrada responde a cada 2 ms, com os ganhos dos experimentos. O movimento da mão é nosso e fica longe da "
     "singularidade θ₇ = 0; a haste desliza e gira no ponto de entrada sem empurrá-lo. A fonte mediu isso no robô; aqui "

@@ -37,8 +37,8 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
 SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43, tab. 4.3"
 ABOUT = Text(
-    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; how it "
-    "moves is ours, twice through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints "
+    en="A hand on a haptic device leads the end effector, a thousand poses a second, while the entry point swings; how "
+    "it moves is ours, twice through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints "
     "stay calm, while the error of the tip is a fifth larger near the singularity than away from it.",
     pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, enquanto o ponto de entrada oscila; o "
     "movimento dela é nosso e passa duas vezes por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas "

@@ -33,9 +33,10 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
 SOURCE = "Coutinho 2015, §2.4, §3.1, eqs. 2.16, 2.59–2.69, 3.19"
 ABOUT = Text(
-    en="Behind a trocar the tool starts 20 mm and 30° from a target that stands still, and comes to it as the theorem "
-    "says. The error of orientation of eqs. 2.62–2.63 is in the axes of the base, while the command is a velocity in "
-    "those of the body: with it three of four random poses are missed; with the error as the body sees it none is.",
+    en="Behind a trocar the end effector starts 20 mm and 30° from a target that stands still, and comes to it as the "
+    "theorem says. The error of orientation of eqs. 2.62–2.63 is in the axes of the base, while the command is a "
+    "velocity in those of the body: with it three of four random poses are missed; with the error as the body sees it "
+    "none is.",
     pt_BR="Atrás de um trocarte, o efetuador parte a 20 mm e 30° de um alvo parado e chega a ele como diz o teorema. O "
     "erro de orientação das eqs. 2.62–2.63 está nos eixos da base, enquanto o comando é uma velocidade nos do corpo: "
     "com ele três de cada quatro poses aleatórias não são alcançadas; com o erro como o corpo o vê, todas são.",

@@ -20,9 +20,9 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="Four ways to the same joint velocities", pt_BR="Quatro caminhos para as mesmas velocidades")
 SOURCE = "Coutinho 2015, §1.2.1, eqs. 1.1–1.4, 3.9, 3.18"
 ABOUT = Text(
-    en="Before the constrained Jacobian, the entry point was kept by stacking its Jacobian under that of the tool, or "
-    "by putting one task before the other. Along S2, where nothing is singular, all of them ask the same of the joints "
-    "to rounding: det of the stack is l_a² w_i w_r, zero where the arm or the wrist is singular.",
+    en="Before the constrained Jacobian, the entry point was kept by stacking its Jacobian under that of the end "
+    "effector, or by putting one task before the other. Along S2, where nothing is singular, all of them ask the same "
+    "of the joints to rounding: det of the stack is l_a² w_i w_r, zero where the arm or the wrist is singular.",
     pt_BR="Antes do Jacobiano restrito, mantinha-se o ponto de entrada empilhando seu Jacobiano sob o do efetuador, ou "
     "pondo uma tarefa à frente da outra. Ao longo de S2, onde nada é singular, todos pedem o mesmo das juntas, a menos "
     "de arredondamento: o determinante do empilhado é l_a² w_i w_r, nulo onde o braço ou o punho é singular.",
@@ -32,7 +32,7 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 STEP, EVERY, SHORT = 0.02, 25, 50.0
 STACKED = Text(en="extended Jacobian", pt_BR="Jacobiano estendido")
 FIRST = Text(en="the entry point first", pt_BR="o ponto de entrada primeiro")
-SECOND = Text(en="the tool first", pt_BR="o efetuador primeiro")
+SECOND = Text(en="the end effector first", pt_BR="o efetuador primeiro")
 DETERMINANT = Text(
     en="largest relative difference of |det stack| from l_a² w_i w_r",
     pt_BR="maior diferença relativa entre |det| do empilhado e l_a² w_i w_r",

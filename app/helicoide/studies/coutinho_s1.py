@@ -14,9 +14,10 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="S1: a slit for the instrument", pt_BR="S1: uma fenda para o instrumento")
 SOURCE = "Coutinho 2015, §4.1.1, eq. 4.1"
 ABOUT = Text(
-    en="The instrument passes a slit that forbids it one sideways direction, and its tool goes in and out by 132 mm. "
-    "l_a and l_b are the distances of the entry point from joint 6 and from joint 7. It is held in velocity alone, "
-    "H V_r = 0, so that over whole steps the shaft drifts away from it; a feedback Kr of that distance brings it back.",
+    en="The instrument passes a slit that forbids it one sideways direction, and its end effector goes in and out by "
+    "132 mm. l_a and l_b are the distances of the entry point from joint 6 and from joint 7. It is held in velocity "
+    "alone, H V_r = 0, so that over whole steps the shaft drifts away from it; a feedback Kr of that distance brings "
+    "it back.",
     pt_BR="O instrumento passa por uma fenda que lhe proíbe uma direção lateral, e a ponta recua e avança 132 mm. l_a "
     "e l_b são as distâncias do ponto de entrada às juntas 6 e 7. Ele é mantido só em velocidade, H V_r = 0, de modo "
     "que ao longo de passos inteiros a haste se afasta dele; a realimentação Kr dessa distância a traz de volta.",
@@ -26,14 +27,14 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 # Of table 4.2, m.
 PLACE = np.array([0.194, 1.019, 0.958])
 FOLLOWS = Text(en="follows its path near l_b = 0 too", pt_BR="segue a trajetória também perto de l_b = 0")
-PLACED = Text(en="tool at the start, from its printed place", pt_BR="efetuador no início, até o lugar impresso")
+PLACED = Text(en="end effector at the start, from its printed place", pt_BR="efetuador no início, até o lugar impresso")
 AT = Text(en="(19.4, 101.9, 95.8) cm", pt_BR="(19,4; 101,9; 95,8) cm")
 CLOSEST = Text(en="smallest l_b", pt_BR="menor l_b")
 ERROR = Text(
     en="largest error of the tip in the tenth of the run in which l_b is smallest",
     pt_BR="maior erro da ponta no décimo da execução em que l_b é menor",
 )
-WITHDRAWN = Text(en="largest withdrawal of the tool", pt_BR="maior recuo do efetuador")
+WITHDRAWN = Text(en="largest withdrawal of the end effector", pt_BR="maior recuo do efetuador")
 WAY = Text(en="2.2A cos 2ωt − 2.2A, A = 3 cm", pt_BR="2,2A cos 2ωt − 2,2A, A = 3 cm")
 
 

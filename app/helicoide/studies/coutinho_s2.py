@@ -11,9 +11,9 @@ from helicoide.text import Text
 TITLE = Text(en="S2: a trocar that stands still", pt_BR="S2: um trocarte parado")
 SOURCE = "Coutinho 2015, §4.1.2, eq. 4.2"
 ABOUT = Text(
-    en="The instrument passes a trocar, which lets it slide and turn but not move sideways, and its tool draws a "
-    "closed curve beyond it with its orientation held. Over whole steps the shaft drifts a little away from the entry "
-    "point, unless a feedback Kr of its distance brings it back.",
+    en="The instrument passes a trocar, which lets it slide and turn but not move sideways, and its end effector draws "
+    "a closed curve beyond it with its orientation held. Over whole steps the shaft drifts a little away from the "
+    "entry point, unless a feedback Kr of its distance brings it back.",
     pt_BR="O instrumento passa por um trocarte, que o deixa deslizar e girar mas não se mover de lado, e a ponta "
     "percorre uma curva fechada com a orientação mantida. Ao longo de passos inteiros a haste se afasta um pouco do "
     "ponto de entrada, a não ser que a realimentação Kr dessa distância a traga de volta.",
@@ -21,7 +21,7 @@ ABOUT = Text(
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 STILL = Text(en="velocity of the entry point about 0", pt_BR="velocidade do ponto de entrada praticamente nula")
-WITHDRAWN = Text(en="largest withdrawal of the tool", pt_BR="maior recuo do efetuador")
+WITHDRAWN = Text(en="largest withdrawal of the end effector", pt_BR="maior recuo do efetuador")
 WAY = Text(en="−2A sin(3ωt − π/2) − 2A, A = 3 cm", pt_BR="−2A sen(3ωt − π/2) − 2A, A = 3 cm")
 
 

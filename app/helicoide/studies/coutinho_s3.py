@@ -34,11 +34,12 @@ from helicoide.text import Text
 TITLE = Text(en="S3: through a singularity", pt_BR="S3: através de uma singularidade")
 SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.3, 4.4; tabs. 4.1, 4.2"
 ABOUT = Text(
-    en="The tool is turned so that the two axes around the bend beyond the trocar come into line, θ₇ = 0, where one "
-    "motion of the tool is lost; damping keeps the joints calm. If only J^r is damped, as eq. 3.46 has it, the entry "
-    "point notices nothing; table 4.1 prints J_0i, the Jacobian of the arm up to the entry point, J_i for short: if it "
-    "is damped too, the velocity of the entry point is disturbed by 0.54 mm/s at most, near θ₇ = 0, and by more than "
-    "0.1 mm/s in two thirds of the run, so that the shaft drifts by 17 mm. The source reports a small disturbance.",
+    en="The end effector is turned so that the two axes around the bend beyond the trocar come into line, θ₇ = 0, "
+    "where one motion of the end effector is lost; damping keeps the joints calm. If only J^r is damped, as eq. 3.46 "
+    "has it, the entry point notices nothing; table 4.1 prints J_0i, the Jacobian of the arm up to the entry point, "
+    "J_i for short: if it is damped too, the velocity of the entry point is disturbed by 0.54 mm/s at most, near θ₇ = "
+    "0, and by more than 0.1 mm/s in two thirds of the run, so that the shaft drifts by 17 mm. The source reports a "
+    "small disturbance.",
     pt_BR="A ponta gira até que os dois eixos em torno da flexão além do trocarte se alinhem, θ₇ = 0, onde se perde um "
     "movimento; o amortecimento mantém as juntas calmas. Se só J^r é amortecido, como na eq. 3.46, o ponto de entrada "
     "nada sente; a tabela 4.1 traz J_0i, o Jacobiano do braço até o ponto de entrada, aqui J_i: se ele também é "
@@ -57,7 +58,7 @@ DISTURBED = Text(
 SLIGHTLY = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
 NEARBY = Text(en="near the singularity", pt_BR="perto da singularidade")
 LEAST = Text(en="smallest l_a", pt_BR="menor l_a")
-TURNED = Text(en="largest turn of the tool", pt_BR="maior giro do efetuador")
+TURNED = Text(en="largest turn of the end effector", pt_BR="maior giro do efetuador")
 DURING = Text(
     en="share of the run with a forbidden velocity above 0.1 mm/s, {which}",
     pt_BR="parte da execução com velocidade proibida acima de 0,1 mm/s, {which}",

@@ -29,10 +29,10 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="Three wrists behind the entry point", pt_BR="Três punhos atrás do ponto de entrada")
 SOURCE = "Coutinho 2015, §1.4, §3.2, §3.3, §3.5, eqs. 3.24–3.42, figs. 3.7–3.9"
 ABOUT = Text(
-    en="Beyond a slit (r = 1) or a trocar (r = 2) the tool has a wrist whose last joint turns about y (zy) or x (zx). "
-    "The constrained Jacobian, computed from the chain, stands beside the printed matrices at random postures, and "
-    "its manipulability w_r beside the printed formulas. The curves are sections of the printed surfaces, on a link "
-    "of 2 m.",
+    en="Beyond a slit (r = 1) or a trocar (r = 2) the end effector has a wrist whose last joint turns about y (zy) or "
+    "x (zx). The constrained Jacobian, computed from the chain, stands beside the printed matrices at random postures, "
+    "and its manipulability w_r beside the printed formulas. The curves are sections of the printed surfaces, on a "
+    "link of 2 m.",
     pt_BR="Além de uma fenda (r = 1) ou de um trocarte (r = 2), o instrumento tem um punho cuja última junta gira em "
     "torno de y (zy) ou de x (zx). O Jacobiano restrito, calculado a partir da cadeia, fica ao lado das matrizes "
     "impressas em posturas aleatórias, e sua manipulabilidade w_r ao lado das fórmulas impressas. As curvas são seções "

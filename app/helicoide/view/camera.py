@@ -19,7 +19,7 @@ PRESETS: Mapping[CameraPreset, Text] = MappingProxyType(
         "front": Text(en="Front", pt_BR="Frente"),
         "side": Text(en="Side", pt_BR="Lado"),
         "top": Text(en="Top", pt_BR="Cima"),
-        "tool": Text(en="Tool", pt_BR="Efetuador"),
+        "tool": Text(en="End effector", pt_BR="Efetuador"),
         "first": Text(en="Initial", pt_BR="Inicial"),
     }
 )

@@ -8,8 +8,8 @@ from markupsafe import Markup
 from viser import uplot
 
 from helicoide.arrays import Array
-from helicoide.export.study_table import significant_digits
-from helicoide.export.svg import COLOURS, axis_range, caption, figure, powers
+from helicoide.export.svg import COLOURS, axis_range, caption, figure, power_labels, powers
+from helicoide.markup import plain_subscripts
 from helicoide.studies.study import Chart
 from helicoide.text import Language, with_decimal_comma
 from helicoide.view import html
@@ -132,9 +132,9 @@ class ChartPlot:
 
     def _lines(self, chart: Chart, language: Language) -> viser.GuiUplotHandle:
         """The curves of a chart, by uPlot."""
-        series = [uplot.Series(label=chart.x_label[language])]
+        series = [uplot.Series(label=plain_subscripts(chart.x_label[language]))]
         for line, colour in zip(chart.lines, COLOURS * len(chart.lines), strict=False):
-            series.append(uplot.Series(label=line.title[language], stroke=colour, width=1.5))
+            series.append(uplot.Series(label=plain_subscripts(line.title[language]), stroke=colour, width=1.5))
         self.reach = heights(chart)
         return self.gui.add_uplot(
             self._data(chart),
@@ -174,7 +174,7 @@ def axes(reach: tuple[float, float], log: bool, language: Language) -> tuple[upl
     if not log:
         return across, uplot.Axis(size=UP)
     marks = [float(mark) for mark in powers(*reach)]
-    shown = tuple(with_decimal_comma(significant_digits(mark, 2))[language] for mark in marks)
+    shown = tuple(with_decimal_comma(label)[language] for label in power_labels(np.array(marks)))
     return across, uplot.Axis(size=UP, splits=tuple(marks), values=shown)
 
 

@@ -69,7 +69,7 @@ def _changed(change: Callable[[Sheet], Sheet]) -> ForSeat:
 
 def _entry() -> TextEntry:
     return TextEntry(
-        Text(en="expression", pt_BR="expressão"),
+        Text(en="Expression", pt_BR="Expressão"),
         lambda view: view.seat.sheet.entry.text,
         Text(en="Enter line", pt_BR="Inserir linha"),
         lambda text: _changed(lambda sheet: with_entered_line(sheet, text)),
@@ -126,7 +126,7 @@ def _line_rows() -> list[Row]:
 
     return [
         Dropdown(
-            Text(en="line", pt_BR="linha"),
+            Text(en="Line", pt_BR="Linha"),
             options,
             key,
             lambda key: _changed(lambda sheet: with_chosen_line(sheet, int(key) if key.isdigit() else None)),
@@ -156,7 +156,7 @@ def _past_lines() -> Dropdown:
         return [("", NOTHING), *((text, untranslated(text[:LONGEST_LABEL])) for text in reversed(past))]
 
     return Dropdown(
-        Text(en="entered before", pt_BR="já inseridas"),
+        Text(en="Entered before", pt_BR="Já inseridas"),
         options,
         lambda _: "",
         lambda text: _changed(lambda sheet: with_entry_text(sheet, text)),
@@ -183,7 +183,7 @@ def _sheet_rows() -> list[Row]:
     """Rows that load an example, save and load a file, and open a link."""
     return [
         Dropdown(
-            Text(en="example", pt_BR="exemplo"),
+            Text(en="Example", pt_BR="Exemplo"),
             [("", NOTHING), *((name, example.title) for name, example in example_sheets().items())],
             _example,
             lambda name: _changed(lambda sheet: example_sheets()[name].sheet if name in example_sheets() else sheet),
@@ -198,7 +198,7 @@ def _sheet_rows() -> list[Row]:
             lambda _, __, content: _changed(lambda _: sheet_of_file(content)),
         ),
         TextEntry(
-            Text(en="link to this sheet", pt_BR="link desta folha"),
+            Text(en="Link to this sheet", pt_BR="Link desta folha"),
             _address,
             Text(en="Open link", pt_BR="Abrir link"),
             OpenLink,

@@ -70,8 +70,11 @@ class FrameSet:
             self.handle.batched_wxyzs, self.handle.batched_positions = wxyzs, positions
 
 
+NEAR, BETWEEN = 0.06, " · "  # × size, m: how near two names would overlap; what stands between joined ones
+
+
 class Names:
-    """Names and numbers at points of the scene."""
+    """Names and numbers at points of the scene; those that would overlap are joined into one label."""
 
     def __init__(self, stage: Stage, root: str) -> None:
         self.stage, self.root = stage, root
@@ -79,6 +82,7 @@ class Names:
 
     def write(self, texts: Sequence[str], places: Array | Sequence[Array]) -> None:
         """Show these texts at their places (k, 3), m, and no others."""
+        texts, places = joined_names(texts, np.reshape(places, (-1, 3)), NEAR * self.stage.size)
         for k, (text, place) in enumerate(zip(texts, places, strict=True)):
             if k == len(self.labels):
                 added = self.stage.scene.add_label(f"{self.root}/name {k}", text, anchor="bottom-center")
@@ -86,10 +90,23 @@ class Names:
             label, text = self.labels[k], text.replace("-", "−")
             if label.text != text:
                 label.text = text
-            place_point(label, np.asarray(place))
+            place_point(label, place)
         for k, label in enumerate(self.labels):
             if label.visible != (k < len(texts)):
                 label.visible = k < len(texts)
+
+
+def joined_names(texts: Sequence[str], places: Array, near: float) -> tuple[list[str], Array]:
+    """Texts and their places (k, 3), m, with each one that is nearer than `near` to an earlier one joined to it."""
+    groups: list[list[int]] = []
+    for k, place in enumerate(places):
+        first = places[[group[0] for group in groups]]
+        close = np.flatnonzero(((first - place) ** 2).sum(axis=1) < near**2)
+        if len(close):
+            groups[close[0]].append(k)
+        else:
+            groups.append([k])
+    return [BETWEEN.join(texts[k] for k in group) for group in groups], places[[group[0] for group in groups]]
 
 
 def polyline(points: Array) -> Array:

@@ -7,11 +7,10 @@ from collections.abc import Iterable, Iterator
 
 from markupsafe import Markup
 
-from helicoide.export.study_table import significant_digits
 from helicoide.ik.methods import named
 from helicoide.readout import Instrument, counted_names, instruments, limiting, near_singular
 from helicoide.state import State
-from helicoide.text import Language, Text, with_decimal_comma
+from helicoide.text import Language, Text, significant_text
 from helicoide.view import html
 from helicoide.view.formula import formula_html
 from helicoide.view.window_view import View
@@ -69,6 +68,7 @@ def _cells(cell: Markup, words: Iterable[str]) -> Markup:
 
 
 VALUE = Markup("<td>{}</td>")
+ROUNDING = 1e-12  # a smaller value is lost in rounding, such as σ in a singular posture
 HELD = Text(en="limited by", pt_BR="limitado por")
 
 
@@ -81,8 +81,8 @@ def _read(instrument: Instrument | None, language: Language) -> str:
     if instrument is None:
         return "–"
     value = round(instrument.value, 4) if instrument.unit in ("mm", "°") else instrument.value
-    shown = with_decimal_comma(significant_digits(value, 4))[language].replace("-", "−").replace("inf", "∞")
-    return f"{shown} {instrument.unit}"
+    value = 0.0 if abs(value) < ROUNDING else value
+    return f"{significant_text(value, 4)[language]} {instrument.unit}"
 
 
 def _limited_by(state: State, view: View) -> str:

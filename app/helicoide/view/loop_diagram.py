@@ -13,7 +13,7 @@ from markupsafe import Markup, escape
 from helicoide.readout.loop import LoopBlock, SideBlock, control_loop
 from helicoide.readout.signals import signals_of
 from helicoide.state import State
-from helicoide.text import Language, Text, join_texts, number_text
+from helicoide.text import Language, Text, join_texts, significant_text, untranslated
 from helicoide.view.window_view import View
 
 # Lengths in units of the drawing, which is as wide as the panel.
@@ -125,9 +125,8 @@ def _values(values: np.ndarray, unit: str) -> Text:
     """The value of one curve; of several, the least and the largest."""
     finite = values[np.isfinite(values)]
     few = [finite.min(), finite.max()] if len(finite) > 1 else finite
-    said = [number_text(float(value) if abs(value) > TINY else 0.0, f".{DIGITS}g") for value in few]
-    text = join_texts(said, " … ")
-    return Text(en=f"{text.en} {unit}".replace("-", "−"), pt_BR=f"{text.pt_BR} {unit}".replace("-", "−"))
+    said = [significant_text(float(value) if abs(value) > TINY else 0.0, DIGITS) for value in few]
+    return untranslated("{said} {unit}").format(said=join_texts(said, " … "), unit=unit)
 
 
 def _typeset(words: str) -> Markup:

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from helicoide.arrays import Array
 from helicoide.readout.matrices import TITLES, NamedMatrix, named_matrix
-from helicoide.text import Language, Text, number_text
+from helicoide.text import Language, Text, significant_text
 from helicoide.view import html
 from helicoide.view.requests import ForSeat
 from helicoide.view.rows import Dropdown, Folder, HtmlRow
@@ -103,4 +103,4 @@ def entry_text(value: float, decimals: int | None, language: Language) -> str:
     It is 0 if it is tiny beside 1.
     """
     value = 0.0 if abs(value) < 1e-12 else float(np.round(value, 12 if decimals is None else decimals)) + 0.0
-    return number_text(value, f".{DIGITS}g")[language].replace("-", "−")
+    return significant_text(value, DIGITS)[language]

@@ -6,8 +6,10 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.ik.modal import ModalDiagnosis
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
+from helicoide.markup import typeset
 from helicoide.readout import method_modes
-from helicoide.text import Language, Text, untranslated
+from helicoide.text import Language, Text, significant_text
 from helicoide.view import html
 from helicoide.view.formula import formula_html
 from helicoide.view.window_view import View
@@ -26,11 +28,11 @@ ABOUT = Text(
     "segundos; ela é grande onde σᵢ é pequeno.",
 )
 LEFT = Text(
-    en="Residuals ‖R‖ = {R:.3g}; V_c = {V:.3g}, lower bound {floor:.3g} in this posture.",
-    pt_BR="Resíduos ‖R‖ = {R:.3g}; V_c = {V:.3g}, limite inferior {floor:.3g} nesta postura.",
+    en="Residuals ‖R‖ = {R}; V_c = {V}, lower bound {floor} in this posture.",
+    pt_BR="Resíduos ‖R‖ = {R}; V_c = {V}, limite inferior {floor} nesta postura.",
 )
 TABLE = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}</table>")
-NUMBER = untranslated("{value:.3g}")
+DIGITS = 3
 HEAD = Markup("").join(
     Markup("<th>{}</th>").format(formula_html(symbol)) for symbol in (r"\sigma_i", r"d_i", r"\sigma_i d_i", r"\tau_i")
 )
@@ -42,15 +44,18 @@ def mode_table(view: View) -> Markup:
     language, found = view.seat.language, method_modes(view.state)
     if found is None:
         return html.note(NONE[language])
-    left = LEFT.format(R=float(np.linalg.norm(found.R)), V=found.V_c, floor=found.floor)
-    return html.note(ABOUT[language]) + _table(found, language) + html.note(left[language])
+    numbers = {"R": float(np.linalg.norm(found.R)), "V": found.V_c, "floor": found.floor}
+    left = LEFT.format(**{name: significant_text(value, DIGITS) for name, value in numbers.items()})
+    return html.note(ABOUT[language]) + _table(found, language) + html.note(typeset(left[language]))
 
 
 def _table(found: ModalDiagnosis, language: Language) -> Markup:
+    """The lines of the modes. A σ that is 0 but for rounding is 0, and so is its rate."""
+    sigma = np.where(found.sigma > RANK_TOLERANCE * found.sigma[0], found.sigma, 0.0)
     with np.errstate(divide="ignore"):
-        times = 1 / found.rates.diagonal()
+        times = 1 / np.where(sigma > 0.0, found.rates.diagonal(), 0.0)
     lines = (
-        LINE.format(i + 1, *(NUMBER.format(value=float(value))[language] for value in (sigma, d, sigma * d, time)))
-        for i, (sigma, d, time) in enumerate(zip(found.sigma, found.d, times, strict=True))
+        LINE.format(i, *(significant_text(float(value), DIGITS)[language] for value in values))
+        for i, values in enumerate(zip(sigma, found.d, sigma * found.d, times, strict=True), 1)
     )
     return TABLE.format(HEAD, Markup("").join(lines))

@@ -50,14 +50,14 @@ def _how(robot: Robot, name: str) -> list[Row]:
         return there if there is not None and there.objective == name else default
 
     as_row = Checkbox(
-        Text(en="use as a task row", pt_BR="usar como linha da tarefa"),
+        Text(en="Use as a task row", pt_BR="Usar como linha da tarefa"),
         lambda view: second(view).as_row,
         lambda on: ForArm(gate.objective_as_row(on)),
     )
     return [
         HtmlRow(lambda view: formula_html(objective.EQUATION) + html.note(objective.SOURCE)),
         Slider(
-            Text(en="weight k₀ [1/s]", pt_BR="peso k₀ [1/s]"),
+            Text(en="Weight k₀ [1/s]", pt_BR="Peso k₀ [1/s]"),
             0.0,
             gate.HEAVIEST,
             1.0,
@@ -67,8 +67,8 @@ def _how(robot: Robot, name: str) -> list[Row]:
         *([as_row] if objective.AUGMENTS else []),
         Checkbox(
             Text(
-                en="adapt weights near joint limits (Algorithm 1)",
-                pt_BR="adaptar pesos perto dos limites de junta (Algoritmo 1)",
+                en="Adapt weights near joint limits (Algorithm 1)",
+                pt_BR="Adaptar pesos perto dos limites de junta (Algoritmo 1)",
             ),
             lambda view: second(view).adapts,
             lambda on: ForArm(gate.grow_weights(on)),

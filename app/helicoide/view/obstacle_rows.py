@@ -48,13 +48,13 @@ def _sphere(robot: Robot, index: int) -> list[Row]:
 
     return [
         VectorRow(
-            Text(en="sphere {n}: x y z [mm]", pt_BR="esfera {n}: x y z [mm]").format(n=n),
+            Text(en="Sphere {n}: x y z [mm]", pt_BR="Esfera {n}: x y z [mm]").format(n=n),
             1.0,
             lambda view: _millimetres(centre(view)),
             lambda view, shown: ForArm(gate.set_obstacle(index, np.asarray(shown) / 1000)),
         ),
         Slider(
-            Text(en="sphere {n}: radius [mm]", pt_BR="esfera {n}: raio [mm]").format(n=n),
+            Text(en="Sphere {n}: radius [mm]", pt_BR="Esfera {n}: raio [mm]").format(n=n),
             float(np.ceil(1000 * gate.SMALLEST * robot.reach)),
             float(np.floor(1000 * gate.LARGEST * robot.reach)),
             1.0,

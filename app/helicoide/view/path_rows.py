@@ -27,7 +27,7 @@ def path_rows(robot: Robot) -> Folder:
     known = gate.presets(robot)
     rows: list[Row] = [
         Dropdown(
-            Text(en="path", pt_BR="trajetória"),
+            Text(en="Path", pt_BR="Trajetória"),
             [(key, preset.title) for key, preset in known.items()],
             lambda view: view.state.request.path_choice.name or next(iter(known)),
             lambda key: ForArm(gate.choose_path(key)),
@@ -49,7 +49,7 @@ def path_rows(robot: Robot) -> Folder:
         ),
         scaling(lambda view: view.state.request.path_choice.shape, gate.choose_scaling),
         Slider(
-            Text(en="duration [s]", pt_BR="duração [s]"),
+            Text(en="Duration [s]", pt_BR="Duração [s]"),
             gate.SHORTEST,
             gate.LONGEST,
             1.0,
@@ -71,7 +71,7 @@ def scaling(shape: Callable[[View], TimingShape], choose: Callable[[TimingShape]
     """The choice of a time scaling."""
     shapes: dict[str, TimingShape] = {shape: shape for shape in gate.LAWS}
     return Dropdown(
-        Text(en="time scaling", pt_BR="lei de tempo"),
+        Text(en="Time scaling", pt_BR="Lei de tempo"),
         [(key, title) for key, (title, _) in gate.LAWS.items()],
         shape,
         lambda key: ForArm(choose(shapes[key])),

@@ -146,13 +146,13 @@ def _given() -> list[Row]:
             _typed(4, lambda v: gate.add_plane([*v[:3], v[3] / 1000])),
         ),
         TextEntry(
-            Text(en="three points: x y z each [mm]", pt_BR="três pontos: x y z de cada um [mm]"),
+            Text(en="Three points: x y z each [mm]", pt_BR="Três pontos: x y z de cada um [mm]"),
             lambda _: "500 300 0  700 300 0  500 300 400",
             put,
             _typed(9, lambda v: gate.add_plane_through(v.reshape(3, 3) / 1000)),
         ),
         TextEntry(
-            Text(en="box: two corners, x y z each [mm]", pt_BR="caixa: dois vértices, x y z de cada um [mm]"),
+            Text(en="Box: two corners, x y z each [mm]", pt_BR="Caixa: dois vértices, x y z de cada um [mm]"),
             lambda _: "200 -320 0  900 320 640",
             Text(en="Add box", pt_BR="Adicionar caixa"),
             _typed(6, lambda v: gate.set_box(v[:3] / 1000, v[3:] / 1000)),
@@ -177,7 +177,7 @@ def _pick(view: View) -> PageRequest:
 def _units() -> Dropdown:
     """The unit of a file that does not state its unit."""
     return Dropdown(
-        Text(en="unit of the file", pt_BR="unidade do arquivo"),
+        Text(en="Unit of the file", pt_BR="Unidade do arquivo"),
         [("", Text(en="automatic", pt_BR="automática")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
         lambda view: view.seat.cloud_unit,
         lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit if unit in UNITS else "")),
@@ -204,7 +204,7 @@ def _zones() -> list[Row]:
 
     return [
         Slider(
-            Text(en="safety distance [mm]", pt_BR="distância de segurança [mm]"),
+            Text(en="Safety distance [mm]", pt_BR="Distância de segurança [mm]"),
             1000 * LEAST_CRITICAL,
             1000 * MOST_CRITICAL,
             1.0,
@@ -212,7 +212,7 @@ def _zones() -> list[Row]:
             critical,
         ),
         Slider(
-            Text(en="warning distance [mm]", pt_BR="distância de aviso [mm]"),
+            Text(en="Warning distance [mm]", pt_BR="Distância de aviso [mm]"),
             1000 * (LEAST_CRITICAL + LEAST_DEPTH),
             1000 * MOST_WARNING,
             1.0,

@@ -117,8 +117,10 @@ def _words(view: View) -> Markup:
     first, second = rotation.multiply(np.array([p, q]), np.array([q, p]))
     between = np.degrees(2 * np.arccos(min(1.0, abs(float(first @ second)))))
     named = {"q₁": p, "q₂": q, "slerp(t)": slerp(p, q, play.t), "q₁q₂": first, "q₂q₁": second}
-    row = Markup("<tr><td>{} =</td><td>{}</td></tr>")
+    row = Markup("<tr><td>{}\u00a0=</td><td>{}</td></tr>")
     rows = (row.format(name, quaternion_words(value, language)) for name, value in named.items())
-    table = Markup("<div class='helicoide-note'><table>{}</table></div>").format(Markup("").join(rows))
+    table = Markup("<div class='helicoide-note helicoide-quaternions'><table>{}</table></div>").format(
+        Markup("").join(rows)
+    )
     said = [ways, *([LONG_WAY] if p @ q < 0 else []), ORDER.format(angle=number_text(float(between), ".1f"))]
     return table + Markup("").join(Markup("<p class='helicoide-note'>{}</p>").format(one[language]) for one in said)

@@ -11,7 +11,7 @@ from helicoide import readout
 from helicoide.arrays import Array
 from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.readout import PoseForms
-from helicoide.text import Language, Text, rounded_text
+from helicoide.text import Language, Text, rounded_numbers, rounded_text
 from helicoide.view import html
 from helicoide.view.inspector_rows import inspected
 from helicoide.view.notation_rows import convention_title, euler_row
@@ -97,9 +97,11 @@ def _in_mm(T: Array) -> Array:
 
 
 def quaternion_words(q: Array, language: Language) -> str:
-    """A quaternion wxyz as w + x i + y j + z k, with four decimals."""
+    """A quaternion wxyz as w + x i + y j + z k, with four decimals; a line can break only between its terms."""
     w, *vector = (f"{value:+.4f}" for value in q + 0.0)
-    words = w.removeprefix("+") + "".join(f" {x[0]} {x[1:]} {unit}" for x, unit in zip(vector, "ijk", strict=True))
+    words = w.removeprefix("+") + "".join(
+        f" {x[0]}\u00a0{x[1:]}\u00a0{unit}" for x, unit in zip(vector, "ijk", strict=True)
+    )
     return (words.replace(".", ",") if language == "pt_BR" else words).replace("-", "−")
 
 
@@ -107,9 +109,9 @@ def _screw(screw: ScrewDisplacement, language: Language, still: Text) -> Markup:
     slide, angle = 1000 * float(screw.displacement), float(np.degrees(screw.angle))
     said = {
         "slide": rounded_text(slide, 1),
-        "direction": _numbers(screw.direction, 3),
+        "direction": rounded_numbers(screw.direction, 3),
         "angle": rounded_text(angle, 2),
-        "point": _numbers(1000 * screw.point, 1),
+        "point": rounded_numbers(1000 * screw.point, 1),
     }
     if angle:
         h = 1000 * float(screw.pitch)
@@ -142,8 +144,3 @@ def _table(title: Text, rows: Array, decimals: int, language: Language) -> Marku
 
 def _each(values: Iterable[float], decimals: int, language: Language) -> list[str]:
     return [rounded_text(value, decimals)[language] for value in values]
-
-
-def _numbers(values: Array, decimals: int) -> Text:
-    each = [rounded_text(value, decimals) for value in values]
-    return Text(en=", ".join(text.en for text in each), pt_BR="; ".join(text.pt_BR for text in each))

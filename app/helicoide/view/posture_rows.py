@@ -44,7 +44,7 @@ MISSES = Text(en="{mm:.1f} mm and {degrees:.1f}° from the target", pt_BR="a {mm
 JOINT = untranslated("{value:.1f}{unit}")
 COST = Text(en="cost {cost:.2f}", pt_BR="custo {cost:.2f}")
 WEIGHTS = Text(en="Joint weights", pt_BR="Pesos das juntas")
-WEIGHT = Text(en="weight {n} {title}", pt_BR="peso {n} {title}")
+WEIGHT = Text(en="Weight {n} {title}", pt_BR="Peso {n} {title}")
 WHY_WEIGHTS = Text(
     en="The list is sorted by cost: the sum of the joint motions from the posture at the time of listing, in radians, "
     "each times its weight (for a prismatic joint, the motion divided by the reach). Large weights near the base "

@@ -6,9 +6,8 @@ from collections.abc import Callable
 from math import ceil, floor, log10
 from typing import Any
 
-from helicoide.export.study_table import significant_digits
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
-from helicoide.text import Text, untranslated, with_decimal_comma
+from helicoide.text import Text, sentence_case, significant_text, untranslated
 from helicoide.view.requests import PageRequest
 from helicoide.view.rows import Checkbox, Dropdown, Row, Slider
 from helicoide.view.window_view import View
@@ -34,9 +33,9 @@ def setting_rows(kind: type, length: float, options: Options, change: Change) ->
             case Quantity():
                 rows.append(_quantity(setting, length, value, request))
             case OneOf(title, choices):
-                rows.append(Dropdown(title, list(choices.items()), value, request))
+                rows.append(Dropdown(sentence_case(title), list(choices.items()), value, request))
             case YesNo(title):
-                rows.append(Checkbox(title, value, request))
+                rows.append(Checkbox(sentence_case(title), value, request))
     return rows
 
 
@@ -58,7 +57,7 @@ def _quantity(
     lower, upper = setting.lower * unit, setting.upper * unit
     step = 10 ** floor(log10((upper - lower) / STEPS))
     return Slider(
-        untranslated("{title} {unit}").format(title=setting.title, unit=_in_brackets(setting)),
+        untranslated("{title} {unit}").format(title=sentence_case(setting.title), unit=_in_brackets(setting)),
         ceil(lower / step) * step,
         floor(upper / step) * step,
         step,
@@ -73,9 +72,9 @@ def _decades(
     """A logarithmic slider. Its label shows the value; the page hides the exponent that viser shows."""
 
     def label(view: View) -> Text:
-        said = with_decimal_comma(significant_digits(value(view) * unit, 3))
+        said = significant_text(value(view) * unit, 3)
         return untranslated("{title}: {said} {unit}{decades}").format(
-            title=setting.title, said=said, unit=setting.unit, decades=DECADES
+            title=sentence_case(setting.title), said=said, unit=setting.unit, decades=DECADES
         )
 
     return Slider(

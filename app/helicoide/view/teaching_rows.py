@@ -26,7 +26,7 @@ def teaching_rows(robot: Robot) -> Folder:
     """Rows that record the arm's posture, edit each point, and follow, save and load all points."""
     rows: list[Row] = [
         Dropdown(
-            Text(en="move type", pt_BR="tipo de movimento"),
+            Text(en="Move type", pt_BR="Tipo de movimento"),
             list(MOVE_TYPES.items()),
             lambda view: view.seat.move_type,
             lambda move_type: ForSeat(lambda seat: replace(seat, move_type=move_type)),
@@ -74,19 +74,19 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
     away = Text(en="{name}: remove", pt_BR="{name}: remover").format(name=name)
     return [
         TextEntry(
-            Text(en="name", pt_BR="nome"),
+            Text(en="Name", pt_BR="Nome"),
             lambda _: name,
             Text(en="Rename", pt_BR="Renomear"),
             lambda typed: ForArm(gate.rename_waypoint(name, typed)),
         ),
         Dropdown(
-            Text(en="move type", pt_BR="tipo de movimento"),
+            Text(en="Move type", pt_BR="Tipo de movimento"),
             list(MOVE_TYPES.items()),
             lambda view: here(view).move_type,
             lambda way: ForArm(gate.set_move_type(name, way)),
         ),
         Slider(
-            Text(en="dwell [s]", pt_BR="espera [s]"),
+            Text(en="Dwell [s]", pt_BR="Espera [s]"),
             0.0,
             LONGEST_STAY,
             0.1,
@@ -106,7 +106,7 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
 
 def _grip(name: str, here: Callable[[View], Waypoint]) -> Dropdown:
     return Dropdown(
-        Text(en="gripper", pt_BR="garra"),
+        Text(en="Gripper", pt_BR="Garra"),
         list(GRIPPER_ACTIONS.items()),
         lambda view: here(view).gripper,
         lambda gripper: ForArm(gate.set_grip(name, gripper)),
@@ -122,7 +122,7 @@ def ball_rows(robot: Robot) -> Folder:
     away = Text(en="Remove ball", pt_BR="Remover a bola")
     rows: list[Row] = [
         *([Button(lambda _: carried, lambda _: ForArm(gate.pick_and_place()))] if robot.name in gate.POINTS else []),
-        VectorRow(Text(en="ball, x y z [mm]", pt_BR="bola, x y z [mm]"), 1.0, _ball, _put),
+        VectorRow(Text(en="Ball, x y z [mm]", pt_BR="Bola, x y z [mm]"), 1.0, _ball, _put),
         Button(
             lambda _: away,
             lambda _: ForArm(gate.take_ball_away()),

@@ -129,7 +129,7 @@ def _factors(chain: Chain, term: Term, language: Language) -> Markup:
     for i in term.sines:
         slides = chain.robot.joints[i].is_prismatic
         factors[i] = f"x{_below(i)}/2" if slides else f"{SINE[language]}(θ{_below(i)}/2)"
-    said = (Markup(' · <span class="joint-{}">{}</span>').format(i % 8, factors[i]) for i in sorted(factors))
+    said = (Markup(' ·\u00a0<span class="joint-{}">{}</span>').format(i % 8, factors[i]) for i in sorted(factors))
     return Markup("").join(said)
 
 

@@ -26,7 +26,7 @@ LOOK = Text(en="View", pt_BR="Vista")
 PROJECTOR = Text(en="Projector", pt_BR="Projetor")
 DARK = Text(en="Dark", pt_BR="Escuro")
 TRANSPARENT = Text(en="Transparent arm", pt_BR="Braço transparente")
-CAMERA = Text(en="camera", pt_BR="câmera")
+CAMERA = Text(en="Camera", pt_BR="Câmera")
 COPY_LINK = Text(en="Copy link to this view", pt_BR="Copiar o link desta vista")
 
 

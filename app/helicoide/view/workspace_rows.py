@@ -15,7 +15,7 @@ from helicoide.arrays import Array
 from helicoide.kinematics.grid import Counts
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import MAP_KINDS, MapKind, WorkspaceMap, fixed_tool_text, plane_normal
-from helicoide.text import Text, number_text, untranslated, with_decimal_comma
+from helicoide.text import Text, number_text, rounded_text, significant_text, untranslated
 from helicoide.view import html
 from helicoide.view.requests import CountMap, ForArm, ForSeat
 from helicoide.view.rows import Bar, Button, Dropdown, Folder, HtmlRow, Row, Slider
@@ -54,7 +54,7 @@ FOUND = Text(
 HEIGHT = Text(en="height above the base frame [mm]", pt_BR="altura sobre o referencial da base [mm]")
 DISTANCE = Text(en="distance from the first axis [mm]", pt_BR="distância ao primeiro eixo [mm]")
 NIMBLENESS = Text(en="manipulability w{unit}", pt_BR="manipulabilidade w{unit}")
-CUT = Text(en="cut [% of the reach]", pt_BR="corte [% do alcance]")
+CUT = Text(en="Cut [% of the reach]", pt_BR="Corte [% do alcance]")
 SHARE = Text(en="share of all orientations [%]", pt_BR="parcela de todas as orientações [%]")
 
 
@@ -203,5 +203,4 @@ def measure_title(found: WorkspaceMap) -> Text:
 
 
 def _number(found: WorkspaceMap, value: float) -> Text:
-    shown = f"{value:.3g}" if found.kind == "manipulability" else f"{value + 0.0:.0f}"
-    return with_decimal_comma(shown.replace("-", "−"))
+    return significant_text(value, 3) if found.kind == "manipulability" else rounded_text(value, 0)

@@ -22,7 +22,7 @@ EQUATION = r"\dot q = \Theta \nu, \quad \dot\Theta = -\gamma \left(J^T (J\Theta 
 REMEMBERS: Text | None = Text(en="the filtered inverse Θ", pt_BR="a inversa filtrada Θ")
 PROMISES: frozenset[Promise] = frozenset({Promise.CONVERGES, Promise.BOUNDED})
 FIGURES: Mapping[str, Text] = {
-    "V_c": Text(en="inversion error V_c", pt_BR="erro de inversão V_c"),
+    "V_c": Text(en="inversion error", pt_BR="erro de inversão"),
     "‖Θ‖": Text(en="norm of Θ, ‖q̇‖ ≤ ‖Θ‖ ‖ν‖", pt_BR="norma de Θ, ‖q̇‖ ≤ ‖Θ‖ ‖ν‖"),
     "dt_max": Text(en="largest stable Euler step, s", pt_BR="maior passo de Euler estável, s"),
 }

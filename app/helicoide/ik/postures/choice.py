@@ -16,7 +16,7 @@ from helicoide.ik.packing import packed
 from helicoide.ik.postures.branch import Branch, wrap
 from helicoide.ik.postures.listing import ON_LIMIT
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, numbers_text
 
 OUT_OF_LIMITS = Text(en="outside the joint limits", pt_BR="fora dos limites de junta")
 COLLIDES = Text(en="touches an obstacle", pt_BR="toca um obstáculo")
@@ -109,6 +109,6 @@ def _checked(robot: Robot, weights: ArrayLike) -> Array:
             Text(
                 en="The weights must be {n} finite numbers, one per joint, none negative; not {given}.",
                 pt_BR="Os pesos devem ser {n} números finitos, um por junta, nenhum negativo; não {given}.",
-            ).format(n=len(robot.variables), given=", ".join(f"{value:g}" for value in w.ravel()))
+            ).format(n=len(robot.variables), given=numbers_text(w.ravel()))
         )
     return w

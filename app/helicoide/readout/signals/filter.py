@@ -30,7 +30,12 @@ ORDER = 5
 PHASES = (
     PhasePlane("phase d", Text(en="Phase plane dᵢ × σᵢ", pt_BR="Plano de fase dᵢ × σᵢ"), "filter σ", "filter d", True),
     PhasePlane("phase θ", Text(en="Phase plane θ × k", pt_BR="Plano de fase θ × k"), "filter k", "filter θ", True),
-    PhasePlane("phase θ_M", Text(en="Phase plane θ_M × k", pt_BR="Plano de fase θ_M × k"), "filter k", "filter θ_M"),
+    PhasePlane(
+        "phase θ_M",
+        Text(en="Phase plane, modified θ × k", pt_BR="Plano de fase, θ modificada × k"),
+        "filter k",
+        "filter θ_M",
+    ),
 )
 PRESET = ("inversion error", "norm of Θ", "filter σd", "phase d")
 
@@ -43,7 +48,7 @@ def _modes(state: State) -> ModalDiagnosis | None:
 def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
     """All of them are NaN while another method moves the arm."""
     error = Text(en="Inversion error of Θ", pt_BR="Erro de inversão de Θ")
-    yield Signal("inversion error", error, "V_c", "", (untranslated("V_c"),), _figure("V_c"), positive=True)
+    yield Signal("inversion error", error, "V_c", "", (Text(en="error", pt_BR="erro"),), _figure("V_c"), positive=True)
     norm = Text(en="Norm of Θ", pt_BR="Norma de Θ")
     yield Signal("norm of Θ", norm, "‖Θ‖", "", (untranslated("‖Θ‖"),), _figure("‖Θ‖"), positive=True)
     yield from _modal(len(problem.robot.variables))
@@ -53,7 +58,7 @@ def signals(problem: Problem, with_orientation: bool) -> Iterator[Signal]:
         "filter k": (Text(en="Signed smallest singular value k", pt_BR="Menor valor singular com sinal k"), "k"),
         "filter θ": (Text(en="Its filtered inverse θ", pt_BR="Sua inversa filtrada θ"), "θ"),
         "filter θ_M": (
-            Text(en="Its modified filtered inverse θ_M", pt_BR="Sua inversa filtrada modificada θ_M"),
+            Text(en="Its modified filtered inverse", pt_BR="Sua inversa filtrada modificada"),
             "θ_M",
         ),
     }

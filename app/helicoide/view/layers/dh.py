@@ -10,8 +10,9 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.kinematics.dh_parts import dh_parts
 from helicoide.kinematics.forward import dh_frames
+from helicoide.readout.signal import subscript
 from helicoide.state import State
-from helicoide.text import Language, Text
+from helicoide.text import Language, Text, untranslated
 from helicoide.view.colours import BLUE, GREEN, ORANGE, PURPLE
 from helicoide.view.figures import FrameSet, Names, Segments, polyline
 from helicoide.view.layers import Stage
@@ -33,8 +34,7 @@ SAID = Text(
 
 AXES, RADIUS = 0.08, 0.07  # length of the axes and radius of the arcs, × size, m
 NOTHING = 1e-9  # rad or m: what is smaller is not drawn
-ANGLE = Text(en="{symbol}{n} {value:z.1f}°", pt_BR="{symbol}{n} {value:z.1f}°")
-LENGTH = Text(en="{symbol}{n} {value:z.0f} mm", pt_BR="{symbol}{n} {value:z.0f} mm")
+ANGLE, LENGTH = untranslated("{part} {value:z.4g}°"), untranslated("{part} {value:z.0f} mm")
 COLOURS = {"θ": ORANGE, "d": BLUE, "a": GREEN, "α": PURPLE}
 
 
@@ -95,4 +95,4 @@ def _drawing(state: State, size: float, language: Language) -> _Drawing:
 @lru_cache(maxsize=1024)
 def _words(symbol: str, n: int, shown: float, angle: bool) -> Text:
     """The name of a part with its value. Cached, since most values stay the same."""
-    return (ANGLE if angle else LENGTH).format(symbol=symbol, n=n, value=shown)
+    return (ANGLE if angle else LENGTH).format(part=subscript(symbol, n), value=shown)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide import readout
+from helicoide.readout.signal import subscript
 from helicoide.text import Text
 from helicoide.view.colours import BLUE, ORANGE
 from helicoide.view.figures import Arrows, Names
@@ -18,9 +19,9 @@ TITLE = Text(en="Jacobian columns", pt_BR="Colunas da jacobiana")
 SHOWN = False
 KIND = "velocity"
 SAID = Text(
-    en="Arrows J1, J2, …: the velocity of the end effector if only that joint moves, at 1 rad/s or 1 m/s. Blue: "
+    en="Arrows J₁, J₂, …: the velocity of the end effector if only that joint moves, at 1 rad/s or 1 m/s. Blue: "
     "linear, 250 mm long for 1 m/s; orange: angular, for 1 rad/s.",
-    pt_BR="Setas J1, J2, …: a velocidade do efetuador se só aquela junta se move, a 1 rad/s ou 1 m/s. Azul: linear, "
+    pt_BR="Setas J₁, J₂, …: a velocidade do efetuador se só aquela junta se move, a 1 rad/s ou 1 m/s. Azul: linear, "
     "com 250 mm para 1 m/s; laranja: angular, para 1 rad/s.",
 )
 
@@ -52,4 +53,4 @@ class ColumnsLayer(OptionalLayer):
         self.linear.write(np.stack([tools, heads], axis=1)[moves])
         self.angular.write(np.stack([tools, turns], axis=1)[rotates])
         ends = np.where(moves[:, None], heads, turns)
-        self.names.write([f"J{i + 1}" for i in range(len(ends))], ends)
+        self.names.write([subscript("J", i + 1) for i in range(len(ends))], ends)

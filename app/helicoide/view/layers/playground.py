@@ -14,6 +14,7 @@ from helicoide.seat import AxisAngle, Playground, Seat, SeatUpdate
 from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.colours import BLUE, GREEN, GREY, VERMILION
+from helicoide.view.figures import polyline
 from helicoide.view.layers import Stage
 from helicoide.view.requests import ForSeat
 from helicoide.view.window_view import View
@@ -32,6 +33,7 @@ SAID = Text(
 
 FIRST, SECOND, SLERP, LERP, BALL = BLUE, GREEN, BLUE, VERMILION, GREY
 RADIUS, LEFT, UP = 0.26, -0.75, 0.45  # × size, m: radius of the ball, and where its centre is
+OPACITY = 0.3  # of the ball
 STEPS, DOTS = 48, 10
 SAME = 1 - 1e-12  # |q·p| above which q and p are the same rotation
 OFFSETS = {"q₁q₂": -0.22, "q₂q₁": 0.22}  # of the two products from the ball's centre, × size, m
@@ -60,7 +62,8 @@ def build(stage: Stage) -> PlaygroundLayer:
     r, cloud = RADIUS * size, np.zeros((1, 3), dtype=np.float32)
     centre = np.array([LEFT * size, 0.0, stage.robot.floor + UP * size])
     root = scene.add_frame("/playground", show_axes=False, position=centre, visible=False)
-    scene.add_icosphere("/playground/ball", r, BALL, opacity=0.18, cast_shadow=False)
+    scene.add_icosphere("/playground/ball", r, BALL, opacity=OPACITY, cast_shadow=False)
+    scene.add_line_segments("/playground/circles", (r * great_circles()).astype(np.float32), BALL, thickness=0.01 * r)
     gizmo = scene.add_transform_controls(
         "/playground/gizmo",
         scale=1.9 * r,
@@ -115,6 +118,13 @@ def _turned(wxyz: Array) -> SeatUpdate:
         return replace(seat, playground=replace(seat.playground, first=first, opposite=False))
 
     return update
+
+
+def great_circles() -> Array:
+    """The segments (k, 2, 3) of the circles in which the coordinate planes cut the unit ball."""
+    angle = np.linspace(0.0, 2 * np.pi, STEPS + 1)
+    circle = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=1)
+    return polyline(np.array([np.roll(circle, k, axis=1) for k in range(3)]))
 
 
 def _stretched(q: Array) -> Array:

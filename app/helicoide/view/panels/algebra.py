@@ -8,12 +8,14 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import readout
+from helicoide.arrays import Array
 from helicoide.ik import Contact
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import Nature
+from helicoide.readout.shared_meanings import SharedMeaning
 from helicoide.seat import Notation, Selection, SelectionKind, ShownAlgebra
 from helicoide.state import State
-from helicoide.text import Text, number_text
+from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.code_rows import code_rows
 from helicoide.view.console_rows import console_rows
@@ -84,6 +86,10 @@ KINDS: dict[SelectionKind, Text] = {
     "plane": Text(en="Planes", pt_BR="Planos"),
     "point": Text(en="Monitored points", pt_BR="Pontos monitorados"),
 }
+OPPOSITE = Text(
+    en="{said} In this notation the sign of {names} is opposite.",
+    pt_BR="{said} Nesta notação o sinal de {names} é o oposto.",
+)
 NATURES: dict[SelectionKind, Nature] = {"tool": "motor", "joint": "line", "plane": "plane", "point": "point"}
 
 
@@ -102,17 +108,23 @@ def _meanings(view: View) -> Markup:
     language, values = view.seat.language, element.values(view.state)
     known = readout.coefficients(element.nature, view.seat.notation)
     present = [one for one in known if abs(values[one.place]) >= ZERO]
-    words = readout.meanings(element.nature, values, [(one.blade, one.sign) for one in present])
-    lines = (
-        Markup("<li><b>{} = {}</b> {}</li>").format(
-            blade_words(one.name), coefficient(one.sign * float(values[one.place]), language), said[language]
-        )
-        for one, said in zip(present, words, strict=True)
-    )
+    lines = (_meaning(shared, values, language) for shared in readout.shared_meanings(element.nature, values, present))
     first = readout.INTRODUCTION[language] if element.nature == "motor" else ""
     return Markup("<div class='helicoide-note helicoide-meanings'><p>{}</p><ul>{}</ul></div>").format(
         first, Markup("").join(lines)
     )
+
+
+def _meaning(shared: SharedMeaning, values: Array, language: Language) -> Markup:
+    """The coefficients of one meaning with their values, and the meaning."""
+    numbers = (
+        f"{blade_words(one.name)} = {coefficient(one.sign * float(values[one.place]), language)}"
+        for one in shared.coefficients
+    )
+    opposite = ", ".join(blade_words(one.name) for one in shared.opposite)
+    said = OPPOSITE.format(said=shared.text, names=opposite) if opposite else shared.text
+    listed = Markup("; ").join(Markup("<b>{}</b>").format(number) for number in numbers)
+    return Markup("<li>{} {}</li>").format(listed, said[language])
 
 
 def _all(kind: SelectionKind, view: View) -> Markup:

@@ -109,7 +109,7 @@ GAINS = (
     Text(en="x [1/s]", pt_BR="x [1/s]"),
     Text(en="y [1/s]", pt_BR="y [1/s]"),
     Text(en="z [1/s]", pt_BR="z [1/s]"),
-    Text(en="orientation [1/s]", pt_BR="orientação [1/s]"),
+    Text(en="Orientation [1/s]", pt_BR="Orientação [1/s]"),
 )
 
 

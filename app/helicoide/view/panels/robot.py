@@ -127,7 +127,7 @@ def _target() -> list[Row]:
     return [
         VectorRow(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
         VectorRow(
-            Text(en="yaw, pitch, roll (ZYX) [°]", pt_BR="guinada, arfagem, rolagem (ZYX) [°]"),
+            Text(en="Yaw, pitch, roll (ZYX) [°]", pt_BR="Guinada, arfagem, rolagem (ZYX) [°]"),
             1.0,
             _angles,
             _set_angles,

@@ -25,6 +25,7 @@ from helicoide.export.study_table import (
 )
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
+from helicoide.markup import typeset
 from helicoide.studies import panel_state
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.studies.study import Chart, ChartLine, Verdict
@@ -121,7 +122,7 @@ def _about(view: View) -> Markup:
     has_page = f'id="{anchor}"' in errata.sources_page(language)
     of_source = PAGE.format(language, anchor, OPEN[language]) if has_page else Markup("")
     about = Markup("<div class='helicoide-note'><p><b>{}</b></p><p>{}</p><p>{}. {}</p></div>").format(
-        study.TITLE[language], study.ABOUT[language], study.SOURCE, of_source
+        study.TITLE[language], typeset(study.ABOUT[language]), study.SOURCE, of_source
     )
     return about if panel.failure is None else about + html.note(panel.failure[language])
 
@@ -185,7 +186,7 @@ def _written(runs: tuple[CompletedRun, ...], language: Language) -> Markup:
     named = Markup("").join(Markup("<th>{}</th>").format(head) for head in heads)
     table = Markup("<table class='helicoide-study'><tr>{}</tr>{}</table>").format(named, body)
     chosen = fitted_line(runs[0].result)
-    return _counted(rows, language) + table + (html.note(chosen[language]) if chosen else Markup(""))
+    return _counted(rows, language) + table + (html.note(typeset(chosen[language])) if chosen else Markup(""))
 
 
 def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
@@ -204,14 +205,16 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
     tone, head = TONES[row.verdict], Markup("<tr class='quantity {}'><td colspan='2'>{} {}</td></tr>")
     here = computed_cell(row, DIGITS)[language]
     before = [NOTHING if other is None else computed_cell(other, DIGITS)[language] for other in others]
-    numbers = [here, *before] if others else [source_cell(row)[language], here]
-    said: str = verdict_cell(row)[language]
+    numbers = [here, *before] if others else [typeset(source_cell(row)[language]), here]
+    said = typeset(verdict_cell(row)[language])
     if row.verdict is Verdict.ERRATUM:
         said = PAGE.format(language, row.erratum, said)
     shown = row.verdict in (Verdict.FIGURE, Verdict.OURS)
     why = Markup("") if shown else Markup("<tr class='{}'><td colspan='2'>{}</td></tr>").format(tone, said)
     cells = Markup("").join(Markup("<td>{}</td>").format(cell) for cell in numbers)
-    return head.format(tone, SIGNS[row.verdict], row.quantity[language]) + Markup("<tr>{}</tr>{}").format(cells, why)
+    return head.format(tone, SIGNS[row.verdict], typeset(row.quantity[language])) + Markup("<tr>{}</tr>{}").format(
+        cells, why
+    )
 
 
 def shown_charts(view: View) -> Sequence[Chart]:

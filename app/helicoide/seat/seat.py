@@ -10,6 +10,7 @@ from helicoide.kinematics.stages import StageKind as Stages
 from helicoide.kinematics.workspace import MapKind
 from helicoide.seat.chart_choice import ChartChoice
 from helicoide.seat.inspection import Notation, Selection
+from helicoide.seat.lesson_progress import LessonProgress
 from helicoide.seat.playground import Playground
 from helicoide.sheet import Sheet, SheetHistory
 from helicoide.text import Language
@@ -35,7 +36,8 @@ class Seat:
     dark: whether the page is dark; transparent: whether the arm is; linked: the posture of a link that was opened;
     move_type: how the next waypoint is reached from the one before; wrench: force, N, and moment, N·m, on the end
     effector that a layer balances; charts: what the charts show; picture: the chosen size of pictures, a key of
-    `export_rows.PICTURES`; sheet: the lines of the console; sheet_history: their changes.
+    `export_rows.PICTURES`; sheet: the lines of the console; sheet_history: their changes; progress: how far this
+    person is in each lesson begun.
     """
 
     token: str
@@ -65,6 +67,7 @@ class Seat:
     picture: str = "page"
     sheet: Sheet = field(default=Sheet())
     sheet_history: SheetHistory = field(default=SheetHistory())
+    progress: Mapping[str, LessonProgress] = field(default_factory=lambda: MappingProxyType({}))
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

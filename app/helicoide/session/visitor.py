@@ -14,7 +14,7 @@ import numpy as np
 from helicoide import gate, lesson
 from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.readout.signals import needed_signals
-from helicoide.seat import SeatUpdate
+from helicoide.seat import Seat, SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
@@ -46,7 +46,8 @@ class Visitor:
     """A window, its place, and the bay of the workcell that it shows.
 
     address: that of its page; settled: whether the window is not moving to another workcell; moving: the task that
-    moves it; history: the last samples of the signals that the seat charts.
+    moves it; history: the last samples of the signals that the seat charts; progress_changed:
+    called with the place when its seat has other progress in lessons.
     """
 
     window: Window
@@ -56,6 +57,7 @@ class Visitor:
     settled: bool = False
     moving: asyncio.Task[None] | None = None
     history: SignalHistory = NO_SIGNAL_HISTORY
+    progress_changed: Callable[[Place], object] = lambda place: None
 
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
@@ -213,7 +215,7 @@ class Visitor:
         if seat.sheet != before.sheet and seat.sheet_history is before.sheet_history:
             scene = len(bay.workcell.state.history.undo)
             seat = replace(seat, sheet_history=before.sheet_history.with_change(before.sheet, seat.sheet, scene))
-        self.place.seat = seat
+        self.seat_as(seat)
         if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
             chosen = lesson.load_lesson(seat.lesson)
             if chosen.robot != bay.workcell.state.robot.name:
@@ -234,5 +236,11 @@ class Visitor:
         """Mark the step of the lesson as done if its goal is met."""
         judged = lessons.judged(self.place.seat, self.bay.workcell.state)
         if judged is not self.place.seat:
-            self.place.seat = judged
+            self.seat_as(judged)
             self.write()
+
+    def seat_as(self, seat: Seat) -> None:
+        """Replace the seat. A change of the progress in lessons is passed on."""
+        before, self.place.seat = self.place.seat, seat
+        if seat.progress is not before.progress:
+            self.progress_changed(self.place)

@@ -273,4 +273,4 @@ def _same(old: View, new: View) -> bool:
         and old.study_panel is new.study_panel
         and old.history is new.history
         and old.recordings is new.recordings
-    ) and (old.ready, old.own, old.recorder) == (new.ready, new.own, new.recorder)
+    ) and (old.ready, old.own, old.recorder, old.progress_note) == (new.ready, new.own, new.recorder, new.progress_note)

@@ -11,6 +11,9 @@ from helicoide.seat import Seat
 from helicoide.sheet import SheetChange
 from helicoide.state import State
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
+from helicoide.text import Text, untranslated
+
+NO_NOTE = untranslated("")
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,7 +23,8 @@ class View:
     ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
     recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
     history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest;
-    address: that of the page, to which links are added, empty until it is known.
+    address: that of the page, to which links are added, empty until it is known; progress_note: whether the lab keeps
+    the progress in lessons.
     """
 
     state: State
@@ -33,6 +37,7 @@ class View:
     history: SignalHistory = NO_SIGNAL_HISTORY
     time: float = 0.0
     address: str = ""
+    progress_note: Text = NO_NOTE
 
     @property
     def sheet_undo(self) -> SheetChange | None:

@@ -17,6 +17,7 @@ from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
 from helicoide.view.panels.robot import joint_row
+from helicoide.view.progress_rows import progress_rows
 from helicoide.view.requests import ForArm, ForSeat, PageRequest
 from helicoide.view.rows import Button, Dropdown, HtmlRow, Row
 from helicoide.view.window_view import View
@@ -46,6 +47,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
         HtmlRow(_free),
+        progress_rows(lessons),
     ]
 
 

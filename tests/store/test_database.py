@@ -180,6 +180,6 @@ def test_an_upgrade_that_fails_changes_nothing(path: Path) -> None:
         old.executescript(VERSION_1 + "ALTER TABLE lesson_progress ADD COLUMN finished BOOLEAN;")
     old.close()
     before = sqlite3.connect(path).execute("SELECT sql FROM sqlite_master").fetchall()
-    with pytest.raises(Exception, match="Progress cannot be kept"):
+    with pytest.raises(Exception, match="cannot be used"):
         Store(path).open()
     assert sqlite3.connect(path).execute("SELECT sql FROM sqlite_master").fetchall() == before

@@ -69,7 +69,7 @@ def run(
         try:
             kept.open()
         except HelicoideError as error:  # the lab goes on without it, and says so in its windows
-            print(error.text[lang or language()], flush=True)
+            print(f"{kept.name}: {error.text[lang or language()]}", flush=True)
     while not stopped.wait(POLL_PERIOD):  # without a timeout, Ctrl+C is not seen on Windows
         pass
     _end(lab)

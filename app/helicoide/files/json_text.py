@@ -33,10 +33,11 @@ def parse_json(words: str) -> Any:
 
 
 def _table(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
-    (key, count), *_ = Counter(key for key, _ in pairs).most_common(1) or [("", 0)]
-    if count > 1:
+    table = dict(pairs)
+    if len(table) < len(pairs):
+        ((key, _),) = Counter(key for key, _ in pairs).most_common(1)
         raise HelicoideError(TWICE.format(key=key))
-    return dict(pairs)
+    return table
 
 
 def _float(digits: str) -> float:

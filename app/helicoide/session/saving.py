@@ -32,7 +32,7 @@ NOT_KEPT = Text(
 )
 GOES_ON = Text(
     en="{why} The lab goes on without it: save your progress as a file.",
-    pt_BR="{why} O laboratório segue sem isso: salve seu progresso como arquivo.",
+    pt_BR="{why} O laboratório segue sem isso: salve seu progresso como um arquivo.",
 )
 NOT_DELETED = Text(en="Your progress was not deleted. {why}", pt_BR="Seu progresso não foi apagado. {why}")
 log = logging.getLogger("helicoide")
@@ -135,7 +135,7 @@ class Saving:
     def _fail(self, why: Text) -> None:
         failed_before, self.failure = self.failure, GOES_ON.format(why=why)
         if failed_before is None:
-            log.warning("%s", why.en)
+            log.warning("%s: %s", "no store" if self.store is None else self.store.name, why.en)
             self.tell(self.failure)
 
 

@@ -25,6 +25,10 @@ PATIENCE = 1.0  # s to wait for another program that writes into the same file
 LOG = "PRAGMA journal_mode = WAL"
 PRAGMAS = ("PRAGMA synchronous = NORMAL", "PRAGMA secure_delete = ON")  # which overwrites what is deleted
 UNUSABLE = Text(
+    en="The database of the progress cannot be used: {reason}.",
+    pt_BR="Não dá para usar o banco de dados do progresso: {reason}.",
+)
+IMPOSSIBLE = Text(
     en="Progress cannot be kept in {place}: {reason}.", pt_BR="Não dá para guardar o progresso em {place}: {reason}."
 )
 NO_URL = Text(
@@ -41,17 +45,18 @@ log = logging.getLogger("helicoide")
 class Store:
     """Keeps the progress of each person, by the token of their browser, of which it keeps a hash alone.
 
-    place: the path of an SQLite file, which is made when it is first needed, or the URL of a database. Every method may
-    raise HelicoideError, which says why the database cannot be used; nothing is changed then. Methods may be called
-    from any thread, and take up to a second if another program uses the database: not on the event loop.
+    place: the path of an SQLite file, which is made when it is first needed, or the URL of a database; name: the same
+    without a password. Every method may raise HelicoideError, which says why the database cannot be used; nothing is
+    changed then. Methods may be called from any thread, and take up to a second if another program uses the database:
+    not on the event loop.
     """
 
     def __init__(self, place: Path | str) -> None:
         url = _url(place)
         file = url.database if url.get_backend_name() == "sqlite" else None
-        self._name = file or url.render_as_string(hide_password=True)
+        self.name = file or url.render_as_string(hide_password=True)
         self._folder = None if file is None else Path(file).parent
-        self._engine = _engine(url, self._name)
+        self._engine = _engine(url, self.name)
         self._ready = False
 
     def open(self) -> None:
@@ -125,12 +130,12 @@ class Store:
         try:
             yield
         except HelicoideError as refusal:
-            raise HelicoideError(UNUSABLE.format(place=self._name, reason=refusal.text)) from refusal
+            raise HelicoideError(UNUSABLE.format(reason=refusal.text)) from refusal
         except OSError as error:
-            raise HelicoideError(UNUSABLE.format(place=self._name, reason=os_error_reason(error))) from error
+            raise HelicoideError(UNUSABLE.format(reason=os_error_reason(error))) from error
         except (SQLAlchemyError, sqlite3.Error) as error:
-            log.warning("%s: %s", self._name, error)
-            raise HelicoideError(UNUSABLE.format(place=self._name, reason=database_reason(error))) from error
+            log.warning("%s: %s", self.name, error)
+            raise HelicoideError(UNUSABLE.format(reason=database_reason(error))) from error
 
 
 def _url(place: Path | str) -> URL:
@@ -140,7 +145,7 @@ def _url(place: Path | str) -> URL:
     try:
         return make_url(place)
     except (ArgumentError, ValueError) as error:
-        raise HelicoideError(UNUSABLE.format(place=place, reason=NO_URL)) from error
+        raise HelicoideError(IMPOSSIBLE.format(place=place, reason=NO_URL)) from error
 
 
 def _engine(url: URL, name: str) -> Engine:
@@ -149,7 +154,7 @@ def _engine(url: URL, name: str) -> Engine:
     try:
         engine = create_engine(url, connect_args=wait, hide_parameters=True)
     except (ArgumentError, ImportError) as error:
-        raise HelicoideError(UNUSABLE.format(place=name, reason=NO_DRIVER.format(kind=kind))) from error
+        raise HelicoideError(IMPOSSIBLE.format(place=name, reason=NO_DRIVER.format(kind=kind))) from error
     if kind == "sqlite":
         event.listen(engine, "connect", _set_up)
         event.listen(engine, "begin", _begin)

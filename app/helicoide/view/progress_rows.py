@@ -23,7 +23,7 @@ COUNTED = Text(
     en="Lessons begun: {begun}; completed: {finished}.", pt_BR="Lições começadas: {begun}; concluídas: {finished}."
 )
 SAVE = Text(en="Save my progress as a file", pt_BR="Salvar meu progresso como arquivo")
-LOAD = Text(en="Add the progress of a file", pt_BR="Juntar o progresso de um arquivo")
+LOAD = Text(en="Add the progress of a file", pt_BR="Acrescentar o progresso de um arquivo")
 DELETION = Text(en="Delete my progress", pt_BR="Apagar meu progresso")
 FOR_GOOD = Text(
     en="All lessons, answers and lines are deleted, here and where the lab keeps them. Only a saved file brings them "

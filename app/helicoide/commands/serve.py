@@ -17,11 +17,15 @@ from helicoide.kinematics.library import load_robot, register_robot
 from helicoide.lesson import load_lesson as read_lesson
 from helicoide.session.lab import Lab
 from helicoide.store.database import Store
-from helicoide.text import HelicoideError
+from helicoide.text import HelicoideError, Text
 
 CLOSE_TIMEOUT = 1.5
 POLL_PERIOD = 0.25
 PROGRESS_FILE = "progress.sqlite"
+ANOTHER_STORE = Text(
+    en="{place}: {why} --store names another file, which need not exist yet, or an empty database.",
+    pt_BR="{place}: {why} Com --store se indica outro arquivo, que pode nem existir ainda, ou um banco vazio.",
+)
 
 
 def run(
@@ -69,7 +73,7 @@ def run(
         try:
             kept.open()
         except HelicoideError as error:  # the lab goes on without it, and says so in its windows
-            print(f"{kept.name}: {error.text[lang or language()]}", flush=True)
+            print(ANOTHER_STORE.format(place=kept.name, why=error.text)[lang or language()], flush=True)
     while not stopped.wait(POLL_PERIOD):  # without a timeout, Ctrl+C is not seen on Windows
         pass
     _end(lab)

@@ -8,10 +8,7 @@ from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
 from helicoide.text import Text
 
-DAMAGED = Text(
-    en="it is damaged or no database: move it away, and the lab begins a new one",
-    pt_BR="ele está danificado ou não é um banco de dados: tire-o dali, e o laboratório começa um novo",
-)
+DAMAGED = Text(en="it is damaged or no database", pt_BR="ele está danificado ou não é um banco de dados")
 _LOCKED = Text(en="another program has locked it", pt_BR="outro programa o bloqueou")
 _WHY = {
     sqlite3.SQLITE_FULL: Text(en="the disk is full", pt_BR="o disco está cheio"),

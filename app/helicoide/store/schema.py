@@ -30,8 +30,8 @@ PROGRESS = Table(
     Column("finished", Boolean, nullable=False, server_default=false()),
 )
 OTHER_PROGRAM = Text(
-    en="it belongs to another program: name a file that does not exist yet, or an empty database",
-    pt_BR="ele é de outro programa: indique um arquivo que ainda não existe, ou um banco de dados vazio",
+    en="it belongs to another program",
+    pt_BR="ele é de outro programa",
 )
 NEWER = Text(
     en="a newer Helicoide has written it (version {found}; this one reads versions 1 to {known})",

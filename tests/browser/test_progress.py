@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import window
+from tests.browser.lab import until
 
 from helicoide.lesson import load_lesson
 from helicoide.seat import LessonProgress
@@ -53,6 +55,12 @@ def free_port() -> int:
         return int(free.getsockname()[1])
 
 
+def stored(store: Path) -> int:
+    """How many lessons are in a store, for all people."""
+    with closing(sqlite3.connect(store)) as reader:
+        return int(reader.execute("SELECT count(*) FROM lesson_progress").fetchone()[0])
+
+
 def unfold(page: Page) -> None:
     page.get_by_role("tab", name="Lesson").click()
     page.get_by_text("My progress", exact=True).click()
@@ -76,6 +84,7 @@ def test_progress_is_there_again_after_the_server_was_killed(browser: Browser, t
         expect(page.get_by_role("button", name="Save my progress as a file")).to_be_disabled()
         add(page, file)
         counted(page, 1, 1)
+        until(page, lambda: stored(store) == 1)
         first.kill()
         first.wait()
         with served(port, store):

@@ -33,7 +33,7 @@ perception · console
 lines
 lesson
 studies
-export · jobs · recorder
+export · jobs · recorder · store
 view
 session
 contributions
@@ -43,7 +43,7 @@ __main__ · teaching
 # Exceptions: rooms in the rows above that a room must not import.
 NOT = {"view": {"jobs"}}
 # External packages, and the only rooms that may import them.
-OUTSIDE = {"viser": {"view"}}
+OUTSIDE = {"sqlalchemy": {"store"}, "viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
     "arrays", "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",

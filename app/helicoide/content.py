@@ -1,6 +1,7 @@
 """Finds robots, lessons and static files, shipped or in the user's folder, and the modules of a package.
 
-The user's folder may contain robots/, lessons/, methods/ and studies/; the lab adds recordings/.
+The user's folder may contain robots/, lessons/, methods/ and studies/; the lab adds recordings/ and the progress in
+lessons.
 """
 
 from __future__ import annotations

@@ -88,5 +88,5 @@ async def _measure(helicoide: int, echo: int) -> None:
 
 
 def run() -> None:
-    with served("helicoide", "--port", "0") as helicoide, served("tests.benchmarks.echo") as echo:
+    with served("helicoide", "--port", "0", "--store", "none") as helicoide, served("tests.benchmarks.echo") as echo:
         asyncio.run(_measure(helicoide, echo))

@@ -117,7 +117,7 @@ async def _on_page(port: int, to_the_end: bool) -> list[float]:
 def _start(cache: str, env: Environment, to_the_end: bool) -> list[float]:
     """Seconds from the command to each stage; the last is left out unless it is asked for."""
     begun, line = perf_counter(), list[float]()
-    with served("helicoide", "--port", "0", env={**env, "NUMBA_CACHE_DIR": cache}) as port:
+    with served("helicoide", "--port", "0", "--store", "none", env={**env, "NUMBA_CACHE_DIR": cache}) as port:
         line.append(perf_counter())
         for path in ("/healthz", "/"):
             _wait_for(port, path)

@@ -237,7 +237,7 @@ SIDEWAYS = """() => [...document.querySelectorAll('[class^=helicoide], [class*="
 
 
 def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "helicoide", "--port", "0", "--lang", "pt_BR"]
+    command = [sys.executable, "-m", "helicoide", "--port", "0", "--lang", "pt_BR", "--store", "none"]
     app = str(Path(__file__).parents[2] / "app")
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": app}
     with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) as lab:

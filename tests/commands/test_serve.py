@@ -15,7 +15,7 @@ import psutil
 import pytest
 
 APP = Path(__file__).parents[2] / "app"
-SERVE = ["-m", "helicoide", "--port", "0"]
+SERVE = ["-m", "helicoide", "--port", "0", "--store", "none"]
 GUARD = 20.0
 # A thread that nobody can interrupt, as one that compiles: with Python's own end the program would wait for it.
 BUSY = """
@@ -24,7 +24,7 @@ from helicoide.commands import serve
 from helicoide.session import preparing
 
 preparing.exercise = lambda: time.sleep(600)
-serve.run(port=0)
+serve.run(port=0, store="none")
 """
 STUDY = """
 import time
@@ -51,7 +51,7 @@ def lasting(report, *_):
 if __name__ == "__main__":
     Lab.open, studies.study = opened_with_a_study, lasting
     preparing.exercise = lambda: None
-    serve.run(port=0)
+    serve.run(port=0, store="none")
 """
 
 
@@ -133,3 +133,28 @@ def test_it_ends_as_soon_as_it_is_there() -> None:
         assert ended(process) == 0
         assert process.stderr is not None
         assert process.stderr.read() == ""
+
+
+def test_a_store_that_cannot_be_used_is_said_and_the_lab_goes_on(tmp_path: Path) -> None:
+    path = tmp_path / "progress.sqlite"
+    path.write_bytes(b"dear diary, " * 900)
+    with lab([*SERVE[:-1], str(path), "--lang", "pt_BR"]) as process:
+        assert process.stdout is not None
+        assert any(f"{path}: Não dá para usar o banco de dados do progresso" in line for line in process.stdout)
+        assert process.poll() is None
+        assert ended(process) == 0
+
+
+def test_a_store_is_made_at_the_start_in_a_folder_that_is_made_too(tmp_path: Path) -> None:
+    path = tmp_path / "class" / "progress.sqlite"
+    with lab([*SERVE[:-1], f"sqlite:///{path}"]) as process:
+        until(process, path.exists)
+        assert ended(process) == 0
+
+
+def test_an_impossible_store_is_refused(tmp_path: Path) -> None:
+    with lab([*SERVE[:-1], "nothing://user:secret@host/name"]) as process:
+        _, said = process.communicate(timeout=GUARD)
+        assert process.returncode == 2
+        assert "nothing://user:***@host/name" in said
+        assert "secret" not in said

@@ -15,6 +15,7 @@ from tests.pages import Hand
 from helicoide.kinematics.library import load_robot
 from helicoide.session.lab import Lab
 from helicoide.state import State
+from helicoide.store.database import Store
 from helicoide.view import link
 
 SLOW = 60.0  # s
@@ -32,9 +33,9 @@ def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
 
 
 @contextmanager
-def running(robot: str = "movemaster") -> Iterator[Lab]:
+def running(robot: str = "movemaster", store: Store | None = None) -> Iterator[Lab]:
     """A lab whose arms live. It takes actions up to `SLOW` seconds old, since a slow machine needs more than one."""
-    lab = Lab(load_robot(robot), None, None)
+    lab = Lab(load_robot(robot), None, None, store=store)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(link, "FRESH", SLOW)
         lab.open("127.0.0.1", 0)

@@ -25,8 +25,8 @@ FOUND: dict[content.ContentKind, Text] = {
     "lessons": Text(en="lessons: {names}  ({folder})", pt_BR="lições: {names}  ({folder})"),
 }
 USER_FOLDER = Text(
-    en="your own robots, lessons, methods and studies: {folder}",
-    pt_BR="seus robôs, lições, métodos e estudos: {folder}",
+    en="your own robots, lessons, methods and studies, and progress in lessons: {folder}",
+    pt_BR="seus robôs, lições, métodos e estudos, e o progresso nas lições: {folder}",
 )
 
 

@@ -10,15 +10,22 @@ import threading
 import warnings
 from typing import Literal, NoReturn
 
-from helicoide import kernels
+from helicoide import content, kernels
 from helicoide.commands import language, print_remarks
 from helicoide.jobs.process import kill_processes
 from helicoide.kinematics.library import load_robot, register_robot
 from helicoide.lesson import load_lesson as read_lesson
 from helicoide.session.lab import Lab
+from helicoide.store.database import Store
+from helicoide.text import HelicoideError, Text
 
 CLOSE_TIMEOUT = 1.5
 POLL_PERIOD = 0.25
+PROGRESS_FILE = "progress.sqlite"
+ANOTHER_STORE = Text(
+    en="{place}: {why} --store names another file, which need not exist yet, or an empty database.",
+    pt_BR="{place}: {why} Com --store se indica outro arquivo, que pode nem existir ainda, ou um banco vazio.",
+)
 
 
 def run(
@@ -32,6 +39,7 @@ def run(
     lang: Literal["en", "pt_BR"] | None = None,
     lesson: str | None = None,
     projector: bool = False,
+    store: str | None = None,
 ) -> None:
     """Open the lab in a browser.
 
@@ -46,11 +54,14 @@ def run(
         lang: language of new windows, else what their browser asks for, and of this terminal.
         lesson: name of the lesson to begin with.
         projector: large words and handles in new windows, for the back row.
+        store: where the progress in lessons is kept: a file, the URL of a database, or none; else a file in your own
+            folder (see the command doctor).
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
     arm = load_robot(robot or default, tip, set, base)
     register_robot(arm)
-    lab = Lab(arm, lang, lesson, projector)
+    kept = None if store == "none" else Store(store or content.user_folder() / PROGRESS_FILE)
+    lab = Lab(arm, lang, lesson, projector, kept)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[lang or language()])
     stopped = threading.Event()
@@ -58,6 +69,11 @@ def run(
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
     print_remarks(arm, with_visuals=True, lang=lang)
+    if kept is not None:
+        try:
+            kept.open()
+        except HelicoideError as error:  # the lab goes on without it, and says so in its windows
+            print(ANOTHER_STORE.format(place=kept.name, why=error.text)[lang or language()], flush=True)
     while not stopped.wait(POLL_PERIOD):  # without a timeout, Ctrl+C is not seen on Windows
         pass
     _end(lab)

@@ -8,6 +8,7 @@ import logging
 import secrets
 from collections.abc import Collection
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from time import monotonic
 
 from helicoide import content, gate
@@ -19,11 +20,13 @@ from helicoide.session.display import Display, Supply
 from helicoide.session.exporting import Exporting
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.recording_requests import RecordingRequests
+from helicoide.session.saving import Saving
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
 from helicoide.session.window_requests import WindowRequests
 from helicoide.session.workcell import FAILED, Workcell
+from helicoide.store.database import Store
 from helicoide.text import Language, Text
 from helicoide.view import requests
 from helicoide.view.channel import PATH, ControlChannel, Hello, WindowChannel, introduce
@@ -56,11 +59,16 @@ class Lab:
     """The server, the seats, the windows and the workcells. Its methods run on the server's event loop.
 
     For new seats: language, None for that of the browser; lesson_name, the first lesson; projector, whether text and
-    handles are large.
+    handles are large. store: keeps the progress in lessons; without one it is lost when the lab ends.
     """
 
     def __init__(
-        self, robot: Robot, language: Language | None, lesson_name: str | None, projector: bool = False
+        self,
+        robot: Robot,
+        language: Language | None,
+        lesson_name: str | None,
+        projector: bool = False,
+        store: Store | None = None,
     ) -> None:
         self.language = language
         self.seats = Seats(lesson_name, projector)
@@ -75,6 +83,7 @@ class Lab:
         self.bays = Bays(robot, self.clock.wake, self.searcher, self._put_up)
         self.shared = self.bays.shared
         self.recording = RecordingRequests(self.bays, self.seats, self.visitors, self._news)
+        self.saving = Saving(store, self.seats.places.values, self._tell)
         self.said = compiling(0)
         self._compilation = ProcessJob(compiled)
         self._signalled = False
@@ -89,6 +98,7 @@ class Lab:
 
     def close(self) -> None:
         """Stop the arms, the jobs and the server. Call it from another thread than the event loop's."""
+        self.saving.close()
         self._compilation.stop()
         self.studies.close()
         self.recording.recorders.close()
@@ -132,6 +142,12 @@ class Lab:
         self.said = text
         for visitor in self.visitors.values():
             visitor.say(self.control, self.said)
+
+    def _tell(self, text: Text) -> None:
+        """Show a notification in every window."""
+        for visitor in self.visitors.values():
+            visitor.window.tell(text)
+        self._news()
 
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())
@@ -186,7 +202,10 @@ class Lab:
             if client.client_id in self.lines:
                 raise
             return
-        place = self.seats.take(hello.seat, self.language or hello.language or "en", hello.dark)
+        progress = await self.saving.load(hello.seat)
+        if client.client_id not in self.lines:  # it has disconnected meanwhile
+            return
+        place = self.seats.take(hello.seat, self.language or hello.language or "en", hello.dark, progress)
         line.tell(seat=place.seat.token)
         await self._furnish(client, line, place, hello)
 
@@ -196,13 +215,16 @@ class Lab:
             client, line.link, View(bay.workcell.state, place.seat, place.study_panel, self.ready), self.act
         )
         visitor = self.visitors[client.client_id] = Visitor(window, place, bay, hello.address)
+        visitor.progress_changed = self.saving.changed
         if not self.ready:
             visitor.say(self.control, self.said)
         self.recording.enter(place)
-        await window.furnish(visitor.view(self.ready))
+        await window.furnish(self.view(window))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
         self.requests.steps.open(visitor)
+        if self.saving.failure is not None and not window.gone:
+            window.tell(self.saving.failure)
         if hello.link and not window.gone:
             visitor.open_link(hello.link)
 
@@ -222,7 +244,8 @@ class Lab:
 
     def view(self, window: Window) -> View:
         """What a window shows now."""
-        return self.visitors[window.client.client_id].view(self.ready)
+        view = self.visitors[window.client.client_id].view(self.ready)
+        return replace(view, progress_note=self.saving.note)
 
     # Messages from windows.
 
@@ -254,10 +277,13 @@ class Lab:
         self.loop.call_later(PUT_RIGHT, visitor.rewrite)
         if isinstance(request, requests.Stop):
             self._stopped(window.link.key)
-        elif window.link.has_control:
+        elif not window.link.has_control:
+            if window.link.late:
+                window.tell_late()
+        elif isinstance(request, requests.ForgetProgress):
+            self.saving.forget(visitor.place, window.tell)
+        else:
             self.requests.do(visitor, request)
-        elif window.link.late:
-            window.tell_late()
 
     def _stopped(self, key: str | None, closing: bool = False) -> None:
         """Stop the workcell of a window, or the shared one if the window is unknown, and all with a real arm.

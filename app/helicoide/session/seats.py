@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import secrets
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from time import monotonic
 
 from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState
 from helicoide.seat import Seat
 from helicoide.session.workcell import Workcell
+from helicoide.store.merging import NO_PROGRESS, Progress
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 from helicoide.text import Language
 from helicoide.view.window import new_seat
@@ -16,6 +18,13 @@ from helicoide.view.window_view import LineCheck
 
 # s without a window, after which a place is removed, and after which its own arm is paused
 KEPT, LIVES_ON = 86_400.0, 600.0
+TOKEN_BYTES = 12  # which are sixteen characters
+_TOKEN = re.compile(r"[A-Za-z0-9_-]{16}")
+
+
+def is_token(word: str) -> bool:
+    """Whether a browser may have this word from a lab, perhaps from one that has ended."""
+    return _TOKEN.fullmatch(word) is not None
 
 
 @dataclass(eq=False)
@@ -23,7 +32,8 @@ class Place:
     """The seat of a user, its study and recording panels, and its own workcell, None if it never asked for one.
 
     at_own: whether its windows show the own workcell; windows: number of open windows; left: time at which the last
-    one closed, s of `monotonic`; line_check: of the line that was typed last for an exercise.
+    one closed, s of `monotonic`; line_check: of the line that was typed last for an exercise; saved: the progress in
+    lessons that the store has from this place.
     """
 
     seat: Seat
@@ -34,6 +44,7 @@ class Place:
     windows: int = 0
     left: float = field(default_factory=monotonic)
     line_check: LineCheck | None = None
+    saved: Progress = field(default_factory=lambda: NO_PROGRESS)
 
 
 class Seats:
@@ -43,12 +54,15 @@ class Seats:
         self.lesson, self.projector = lesson, projector
         self.places: dict[str, Place] = {}
 
-    def take(self, token: str | None, language: Language, dark: bool = False) -> Place:
-        """The place with that token, or a new one if there is none. language, dark: of a new one."""
+    def take(
+        self, token: str | None, language: Language, dark: bool = False, progress: Progress = NO_PROGRESS
+    ) -> Place:
+        """The place with that token, or a new one if there is none. language, dark, progress: of a new one."""
         place = self.places.get(token or "")
         if place is None:
-            token = secrets.token_urlsafe(12)
-            place = self.places[token] = Place(new_seat(token, language, self.lesson, self.projector, dark))
+            token = token if token and is_token(token) else secrets.token_urlsafe(TOKEN_BYTES)
+            seat = new_seat(token, language, self.lesson, self.projector, dark)
+            place = self.places[token] = Place(replace(seat, progress=progress), saved=progress)
         place.windows += 1
         return place
 

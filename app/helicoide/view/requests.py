@@ -193,6 +193,11 @@ class CloseLink:
 
 
 @dataclass(frozen=True)
+class ForgetProgress:
+    """A request to delete the progress in lessons of this person, here and where it is kept."""
+
+
+@dataclass(frozen=True)
 class Look:
     """A request to move the camera of this window to a preset."""
 
@@ -264,6 +269,7 @@ PageRequest = (
     | TakeLink
     | OpenLink
     | CloseLink
+    | ForgetProgress
     | Look
     | CopyLink
     | ShowTab

@@ -285,4 +285,4 @@ def _same(old: View, new: View) -> bool:
         and old.history is new.history
         and old.recordings is new.recordings
         and old.line_check is new.line_check
-    ) and (old.ready, old.own, old.recorder) == (new.ready, new.own, new.recorder)
+    ) and (old.ready, old.own, old.recorder, old.progress_note) == (new.ready, new.own, new.recorder, new.progress_note)

@@ -12,6 +12,9 @@ from helicoide.seat import Seat
 from helicoide.sheet import SheetChange
 from helicoide.state import State
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
+from helicoide.text import Text, untranslated
+
+NO_NOTE = untranslated("")
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +34,7 @@ class View:
     recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
     history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest;
     address: that of the page, to which links are added, empty until it is known; line_check: of the line that was typed
-    last for an exercise.
+    last for an exercise; progress_note: whether the lab keeps the progress in lessons.
     """
 
     state: State
@@ -45,6 +48,7 @@ class View:
     time: float = 0.0
     address: str = ""
     line_check: LineCheck | None = None
+    progress_note: Text = NO_NOTE
 
     @property
     def sheet_undo(self) -> SheetChange | None:

@@ -10,6 +10,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.lesson import all_lessons, entered
 from helicoide.text import Text
 from helicoide.view.course_map import course_map
+from helicoide.view.progress_rows import progress_rows
 from helicoide.view.requests import ForSeat
 from helicoide.view.rows import Dropdown, HtmlRow, Row
 
@@ -31,6 +32,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda name: ForSeat(partial(entered, name=name or None)),
         ),
         HtmlRow(partial(course_map, lessons)),
+        progress_rows(all_lessons),
     ]
 
 

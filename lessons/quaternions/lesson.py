@@ -14,6 +14,7 @@ from helicoide.geometry.clifford import QUATERNIONS
 from helicoide.geometry.multivector import Multivector
 from helicoide.geometry.quaternion_paths import lerp, slerp
 from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Step, Value
+from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat
 from helicoide.state import State, Update
 from helicoide.text import Text
@@ -21,7 +22,7 @@ from helicoide.text import Text
 TITLE = Text(en="Quaternions", pt_BR="Quatérnios")
 ABOUT = Text(
     en="Four numbers for a rotation: why two of them mean the same, the way between two, and how far it is still.",
-    pt_BR="Quatro números para uma rotação: por que dois deles valem o mesmo, o caminho entre dois e quanto ainda falta.",
+    pt_BR="Quatro números para uma rotação: por que dois deles valem o mesmo, o caminho entre dois e o que falta.",
 )
 ROBOT = "free_body"
 NEEDS = ("sine_to_motor",)
@@ -46,7 +47,7 @@ def about_z(angle: float) -> Array:
     return rotation.from_axis_angle(Z_AXIS, angle)
 
 
-ONE, I, J, K = np.eye(4)
+ONE, ALONG_I, ALONG_J, ALONG_K = np.eye(4)
 ASKED = rotation.multiply(about_z(QUARTER), rotation.from_axis_angle([1.0, 0.0, 0.0], -QUARTER))
 WAY_END, FAR_END, WANTED = about_z(WAY), about_z(FAR), about_z(QUARTER)
 
@@ -173,12 +174,12 @@ VALUES = {
     "quarter": number(QUARTER, "°"),
     "quarter_q": fixed(WANTED),
     "eighth": number(QUARTER / 2, "°"),
-    "left_i": fixed(rotation.multiply(WANTED, I)),
-    "left_k": fixed(rotation.multiply(WANTED, K)),
+    "left_i": fixed(rotation.multiply(WANTED, ALONG_I)),
+    "left_k": fixed(rotation.multiply(WANTED, ALONG_K)),
     "asked": fixed(ASKED),
-    "to_i": fixed(sandwiched(I)),
-    "to_j": fixed(sandwiched(J)),
-    "to_k": fixed(sandwiched(K)),
+    "to_i": fixed(sandwiched(ALONG_I)),
+    "to_j": fixed(sandwiched(ALONG_J)),
+    "to_k": fixed(sandwiched(ALONG_K)),
     "turn": number(TURN, "°"),
     "two_turns": number(2 * TURN, "°"),
     "half_turn": number(HALF_TURN, "°"),
@@ -205,6 +206,26 @@ VALUES = {
     "beyond": number(BEYOND, "°"),
     "back": number(TURN - BEYOND, "°"),
 }
+
+
+TWICE = LineExercise(
+    "quaternion product",
+    (
+        GivenName("p", "rotation", Text(en="the first rotation", pt_BR="a primeira rotação")),
+        GivenName("q", "rotation", Text(en="the second rotation", pt_BR="a segunda rotação")),
+        GivenName("v", "vector", Text(en="the vector that is turned", pt_BR="o vetor que é girado")),
+    ),
+    "r*v*conj(r)",
+    steps=(("r", "q*p"),),
+)
+WHAT_IS_MISSING = LineExercise(
+    "error",
+    (
+        GivenName("wanted", "rotation", Text(en="the rotation to be reached", pt_BR="a rotação a alcançar")),
+        GivenName("q", "rotation", Text(en="the rotation of the body", pt_BR="a rotação do corpo")),
+    ),
+    "wanted*conj(q)",
+)
 
 
 def z_to(angle: float) -> tuple[tuple[Update, float], ...]:
@@ -239,6 +260,7 @@ STEPS = (
         ),
         shown=Shown(camera="first"),
     ),
+    Step("write_both", start, line=TWICE),
     Step(
         "double_cover",
         start,
@@ -293,6 +315,7 @@ STEPS = (
         ),
         shown=Shown(camera="top"),
     ),
+    Step("write_error", start, line=WHAT_IS_MISSING),
     Step(
         "shorter_side",
         start,

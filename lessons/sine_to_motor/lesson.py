@@ -14,6 +14,7 @@ from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.forward import tool_motor
 from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value
+from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat
 from helicoide.state import State, Update
 from helicoide.text import Text
@@ -252,6 +253,17 @@ VALUES = {
     "now": Value(motor),
 }
 
+TURNED_AND_SHIFTED = LineExercise(
+    "motor",
+    (
+        GivenName("theta", "angle", Text(en="the angle of the turn", pt_BR="o ângulo do giro")),
+        GivenName("d", "length", Text(en="how far the body is shifted", pt_BR="quanto o corpo se desloca")),
+    ),
+    "(1 + d/2*e1e)*(cos(theta/2) + sin(theta/2)*e1e2)",
+    sign_counts=False,
+    without=("rotor", "translator", "motor", "screw", "exp"),
+)
+
 STEPS = (
     Step(
         "circle",
@@ -348,6 +360,7 @@ STEPS = (
         ),
         shown=Shown(camera="top"),
     ),
+    Step("write", start, line=TURNED_AND_SHIFTED),
     Step(
         "read",
         start,

@@ -142,9 +142,9 @@ def typeset(read: Callable[[State, Seat], Array]) -> Callable[[State, Seat], Mul
     return lambda state, seat: Multivector(read(state, seat), QUATERNIONS)
 
 
-def fixed(q: Array) -> Value:
+def fixed(q: Array, decimals: int = 2) -> Value:
     """A quaternion that does not change, as a sum."""
-    return Value(lambda state, seat: Multivector(q, QUATERNIONS), decimals=2)
+    return Value(lambda state, seat: Multivector(q, QUATERNIONS), decimals=decimals)
 
 
 def number(value: float, unit: str = "", decimals: int | None = None) -> Value:
@@ -177,9 +177,9 @@ VALUES = {
     "left_i": fixed(rotation.multiply(WANTED, ALONG_I)),
     "left_k": fixed(rotation.multiply(WANTED, ALONG_K)),
     "asked": fixed(ASKED),
-    "to_i": fixed(sandwiched(ALONG_I)),
-    "to_j": fixed(sandwiched(ALONG_J)),
-    "to_k": fixed(sandwiched(ALONG_K)),
+    "to_i": fixed(sandwiched(ALONG_I), decimals=0),
+    "to_j": fixed(sandwiched(ALONG_J), decimals=0),
+    "to_k": fixed(sandwiched(ALONG_K), decimals=0),
     "turn": number(TURN, "°"),
     "two_turns": number(2 * TURN, "°"),
     "half_turn": number(HALF_TURN, "°"),
@@ -221,10 +221,10 @@ TWICE = LineExercise(
 WHAT_IS_MISSING = LineExercise(
     "error",
     (
-        GivenName("wanted", "rotation", Text(en="the rotation to be reached", pt_BR="a rotação a alcançar")),
+        GivenName("qd", "rotation", Text(en="the rotation to be reached", pt_BR="a rotação a alcançar")),
         GivenName("q", "rotation", Text(en="the rotation of the body", pt_BR="a rotação do corpo")),
     ),
-    "wanted*conj(q)",
+    "qd*conj(q)",
 )
 
 

@@ -317,7 +317,7 @@ STEPS = (
             Diagnosis("other_order", is_only(ABOUT_Y, -TILT), ((gate.set_joint(ABOUT_Y, -TILT), 2.0),)),
             Diagnosis("whole_angle", is_only(ABOUT_Y, TILT / 2), ((gate.set_joint(ABOUT_Y, TILT / 2), 2.0),)),
         ),
-        shown=Shown(camera="first"),
+        shown=Shown(camera="side"),
     ),
     Step(
         "order",

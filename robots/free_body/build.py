@@ -18,8 +18,8 @@ SURFACES = {
     "white": cad.paint(250, 250, 248, roughness=0.5),
     "black": cad.paint(28, 30, 34, roughness=0.5),
 }
-SIZE = (200.0, 150.0, 100.0)
-MARGIN, PLATE, DOT = 7.0, 2.0, 8.0  # of the frame around a face, thickness of a face, radius of a dot
+SIZE = (320.0, 240.0, 160.0)
+MARGIN, PLATE, DOT = 9.0, 2.0, 15.0  # of the frame around a face, thickness of a face, radius of a dot
 CORNERS = [(-1, -1), (1, 1), (-1, 1), (1, -1)]
 DOTS = {
     1: [(0, 0)],
@@ -57,13 +57,13 @@ def face(number: int) -> Parts:
         at[along] *= 1 + PLATE / SIZE[along]
         at[first] += u * SIZE[first] / 4
         at[second] += v * SIZE[second] / 4
-        dots.append(cad.raised(cad.circle(DOT, 24), 1.5, axis=axis, at=at))
+        dots.append(cad.raised(cad.circle(DOT, 32), 1.5, axis=axis, at=at))
     return {colour: [cad.box((x, y, z), at=(mx, my, mz))], ink: dots}
 
 
 def body() -> Parts:
     """The box and its six faces."""
-    parts: Parts = {"frame": [cad.box(SIZE, corner=5, edge=5, steps=2)]}
+    parts: Parts = {"frame": [cad.box(SIZE, corner=8, edge=8, steps=2)]}
     for number in FACES:
         for surface, solids in face(number).items():
             parts.setdefault(surface, []).extend(solids)

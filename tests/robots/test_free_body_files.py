@@ -17,7 +17,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_folder import robot_from_folder
 
 ROBOT = Path(__file__).parents[2] / "robots" / "free_body"
-shifts = st.lists(st.floats(-0.3, 0.3), min_size=3, max_size=3).map(np.array)
+shifts = st.lists(st.floats(-0.25, 0.25), min_size=3, max_size=3).map(np.array)
 turns = st.lists(st.floats(-12.0, 12.0), min_size=3, max_size=3).map(np.array)
 
 

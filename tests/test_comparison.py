@@ -43,10 +43,10 @@ def compared(state: State, first: str, second: str) -> State:
 @pytest.mark.parametrize("with_orientation", [True, False])
 @pytest.mark.parametrize("name", robot_titles())
 def test_a_singular_posture_is_found_where_there_is_one(name: str, with_orientation: bool) -> None:
-    """Only `polar_rp` has none: its slide cannot reach the axis of its first joint."""
+    """`polar_rp` has none: its slide cannot reach the axis of its first joint. Nor has `free_body` for its position."""
     problem = initial_state(load_robot(name)).problem
     q = singular_posture(problem, with_orientation)
-    if name == "polar_rp":
+    if name == "polar_rp" or (name == "free_body" and not with_orientation):
         assert q is None
         return
     assert q is not None

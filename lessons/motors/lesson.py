@@ -19,6 +19,7 @@ from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.forward import joint_motor, tool_by_screws, tool_motor
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Order, Shown, Step, Value
+from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat, Selection
 from helicoide.sheet import with_entered_line
 from helicoide.state import State
@@ -318,6 +319,27 @@ def height(state: State, seat: Seat) -> float:
     return float(state.robot.points[WAIST, 2])
 
 
+TURN = LineExercise(
+    "motor",
+    (
+        GivenName("L", "line", Text(en="the axis, a line", pt_BR="o eixo, uma reta")),
+        GivenName("alpha", "angle", Text(en="the angle", pt_BR="o ângulo")),
+    ),
+    "cos(alpha/2) + sin(alpha/2)*L",
+    sign_counts=False,
+    without=("screw", "exp", "rotor"),
+)
+PEN = LineExercise(
+    "chain",
+    (
+        GivenName("B", "motor", Text(en="from the room to the base", pt_BR="da sala à base")),
+        GivenName("M", "motor", Text(en="from the base to the end effector", pt_BR="da base ao efetuador")),
+        GivenName("P", "motor", Text(en="from the end effector to the pen", pt_BR="do efetuador à caneta")),
+    ),
+    "B*M*P",
+    steps=(("N", "B*M"),),
+    sign_counts=False,
+)
 VALUES = {
     "waist_motor": Value(multivector(waist_motor)),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
@@ -382,6 +404,7 @@ STEPS = (
         ),
         shown=Shown(layers=("screw",), selection=Selection("tool")),
     ),
+    Step("write", start, prediction=Choice(right=2), line=TURN),
     Step(
         "chain",
         start,
@@ -412,6 +435,7 @@ STEPS = (
         shown=Shown(layers=("console",), sheet=SHEET),
         console=True,
     ),
+    Step("pen", start, line=PEN, shown=Shown(layers=("frames",))),
     Step(
         "sign",
         start,

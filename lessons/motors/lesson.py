@@ -21,7 +21,6 @@ from helicoide.kinematics.robot import Robot
 from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Order, Shown, Step, Value
 from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat, Selection
-from helicoide.sheet import with_entered_line
 from helicoide.state import State
 from helicoide.text import Text
 
@@ -201,8 +200,13 @@ def no_point_typed(state: State, seat: Seat) -> bool:
 
 
 def entered_line(text: str) -> AtSeat:
-    """Enter a line into the console."""
-    return AtSeat(lambda seat: replace(seat, sheet=with_entered_line(seat.sheet, text)))
+    """Add a line to those of the console."""
+
+    def added(seat: Seat) -> Seat:
+        lines = seat.sheet.lines
+        return replace(seat, sheet=replace(seat.sheet, lines=(*lines, replace(lines[-1], text=text))))
+
+    return AtSeat(added)
 
 
 def sign_changed(state: State, seat: Seat) -> bool:

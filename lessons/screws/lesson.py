@@ -42,7 +42,7 @@ LONG = 0.200
 LEAST_PITCH, MOST_PITCH = 0.150, 0.190
 BOTH, NO_TURN, LEVEL = radians(20.0), radians(1.5), radians(5.0)
 FEW, SLID = 0.005, 0.040
-HALF_TURN = radians(170.0)
+HALF_TURN, OVER = radians(170.0), radians(200.0)
 
 
 def start(state: State) -> State:
@@ -212,6 +212,8 @@ VALUES = {
     "whole_slide": Value(lambda state, _: float(screw_from_ready(state).displacement), "mm"),
     "apart": Value(lambda state, _: state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0], "mm"),
     "half_turn": Value(fixed(HALF_TURN), "°"),
+    "over": Value(fixed(OVER), "°"),
+    "under": Value(fixed(2 * pi - OVER), "°"),
 }
 
 STEPS = (
@@ -246,7 +248,7 @@ STEPS = (
         joints=(WAIST, SHOULDER, ELBOW),
         prediction=Choice(right=2),
         diagnoses=(Diagnosis("upright", stays_upright, ((gate.set_joint(SHOULDER, radians(60.0)), 3.0),)),),
-        shown=Shown(layers=("screw",), selection=Selection("tool")),
+        shown=Shown(layers=("screw",), camera="first", selection=Selection("tool")),
     ),
     Step(
         "pitch",
@@ -259,7 +261,7 @@ STEPS = (
             Diagnosis("left_handed", left_handed, ((gate.set_joint(WAIST, radians(-28.0)), 3.0),)),
             Diagnosis("too_steep", too_steep, ((gate.set_joint(WAIST, radians(70.0)), 3.0),)),
         ),
-        shown=Shown(layers=("screw",), selection=Selection("tool")),
+        shown=Shown(layers=("screw",), camera="first", selection=Selection("tool")),
     ),
     Step(
         "opposite",
@@ -293,7 +295,7 @@ STEPS = (
             ),
             Diagnosis("one_hinge", one_hinge, ((gate.set_joint(WAIST, radians(60.0)), 3.0),)),
         ),
-        shown=Shown(layers=("axes", "twist")),
+        shown=Shown(layers=("axes", "twist"), camera="first"),
     ),
     Step(
         "half_turn",
@@ -302,7 +304,7 @@ STEPS = (
         ((gate.set_joint(ROLL, radians(175.0)), 4.0),),
         joints=tuple(range(5)),
         prediction=Choice(right=1),
-        shown=Shown(layers=("screw",), selection=Selection("tool")),
+        shown=Shown(layers=("screw",), camera="first", selection=Selection("tool")),
         is_open=True,
     ),
     Step(

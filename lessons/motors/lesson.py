@@ -24,7 +24,7 @@ from helicoide.seat import Seat, Selection
 from helicoide.state import State
 from helicoide.text import Text
 
-TITLE = Text(en="Motors: a screw in eight numbers", pt_BR="Motores: um helicoide em oito números")
+TITLE = Text(en="Motors: eight numbers", pt_BR="Motores: oito números")
 ABOUT = Text(
     en="Dual quaternions: half angles, the order of the factors, M and −M, and the screw way between two poses.",
     pt_BR="Quatérnios duais: meios ângulos, a ordem dos fatores, M e −M, e o caminho helicoidal entre duas poses.",
@@ -305,8 +305,12 @@ def fixed(number: float | Array) -> Callable[[State, Seat], float | Array]:
 
 
 def multivector(read: Callable[[State], Array]) -> Callable[[State, Seat], Multivector]:
-    """A value that is a multivector of the state."""
-    return lambda state, seat: Multivector(read(state), CL031)
+    """A value that is a multivector of the state, without what would be written as 0.000."""
+
+    def rounded(state: State, seat: Seat) -> Multivector:
+        return Multivector(np.round(read(state), 3), CL031)
+
+    return rounded
 
 
 def example_tip(state: State, reverse: bool) -> Array:
@@ -480,7 +484,7 @@ STEPS = (
             Diagnosis("neither_moves", neither_moves, ((entered_line("screw(line(elbow, wrist), 1)"), 0.1),)),
             Diagnosis("elbow_moves", elbow_moves, ((entered_line("exp(0.3*L2)"), 0.1),)),
         ),
-        shown=Shown(layers=("console", "axes"), sheet=SHEET),
+        shown=Shown(layers=("console", "axes"), camera="first", sheet=SHEET),
         console=True,
         is_open=True,
     ),

@@ -30,6 +30,7 @@ state
 advance
 foresight · readout · gate
 perception · console
+lines
 lesson
 studies
 export · jobs · recorder
@@ -46,7 +47,7 @@ OUTSIDE = {"viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
     "arrays", "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
-    "advance", "foresight", "readout", "gate", "perception", "console", "lesson", "studies", "text",
+    "advance", "foresight", "readout", "gate", "perception", "console", "lesson", "lines", "studies", "text",
 }  # fmt: skip
 
 LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}

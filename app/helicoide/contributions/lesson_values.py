@@ -9,6 +9,7 @@ import numpy as np
 from helicoide.geometry.multivector import Multivector
 from helicoide.lesson import Lesson, Step, placeholders, right_answer
 from helicoide.lesson.predictions import checked_answer
+from helicoide.lines import Accepted, LineExercise, check_line, line_faults
 from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.text import HelicoideError, Text
@@ -17,6 +18,17 @@ NO_VALUE = Text(
     en="the value {name} is no finite number, array or multivector",
     pt_BR="o valor {name} não é um número, uma matriz ou um multivetor finito",
 )
+
+
+NOT_ACCEPTED = Text(en="its own line {line} is not accepted", pt_BR="a própria linha {line} não é aceita")
+
+
+def _line_faults(exercise: LineExercise) -> Iterator[Text]:
+    """The faults of an exercise: each of its lines must be accepted as it is written there."""
+    yield from line_faults(exercise)
+    for line in exercise.lines():
+        if not isinstance(check_line(line, line.expected), Accepted):
+            yield NOT_ACCEPTED.format(line=line.expected)
 
 
 def value_faults(lesson: Lesson, step: Step, state: State, seat: Seat) -> Iterator[Text]:
@@ -28,6 +40,8 @@ def value_faults(lesson: Lesson, step: Step, state: State, seat: Seat) -> Iterat
         numbers = read.values if isinstance(read, Multivector) else read
         if not isinstance(numbers, float | int | np.number | np.ndarray) or not np.all(np.isfinite(numbers)):
             yield NO_VALUE.format(name=name)
+    if step.line is not None:
+        yield from _line_faults(step.line)
     if step.prediction is not None:
         try:
             checked_answer(step.prediction, right_answer(step.prediction, state, seat), len(prose.options))

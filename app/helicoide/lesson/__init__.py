@@ -8,7 +8,16 @@ from helicoide.lesson.course import circle_of_needs, course_levels, in_course_or
 from helicoide.lesson.lesson import Lesson
 from helicoide.lesson.module_errors import stopped
 from helicoide.lesson.predictions import Choice, Estimate, Mark, Order, Prediction, is_right, right_answer
-from helicoide.lesson.progress import answered, entered, progressed, restarted, revealed, skipped, turned_to
+from helicoide.lesson.progress import (
+    answered,
+    entered,
+    progressed,
+    restarted,
+    revealed,
+    skipped,
+    turned_to,
+    with_accepted_line,
+)
 from helicoide.lesson.prose import Prose, paragraphs, placeholders
 from helicoide.lesson.reading import all_lessons, load_lesson
 from helicoide.lesson.shown import with_step_shown, without_step_shown
@@ -58,6 +67,7 @@ __all__ = [
     "skipped",
     "stopped",
     "turned_to",
+    "with_accepted_line",
     "with_step_shown",
     "without_step_shown",
 ]

@@ -82,6 +82,18 @@ def progressed(step: Step, seat: Seat) -> Seat:
     return with_lesson_progress(seat, replace(now, done=now.done | {step.id}, skipped=now.skipped - {step.id}))
 
 
+def with_accepted_line(lesson: Lesson, seat: Seat, text: str) -> Seat:
+    """The seat with one more accepted line of the exercise of the current step."""
+    now = seat.lesson_progress
+    step = None if now is None else lesson.open_step(now)
+    if now is None or step is None or step.line is None:
+        return seat
+    accepted = now.lines.get(step.id, ())
+    if len(accepted) >= len(step.line.lines()):
+        return seat
+    return with_lesson_progress(seat, replace(now, lines=MappingProxyType({**now.lines, step.id: (*accepted, text)})))
+
+
 def with_mistake(step: Step, seat: Seat, diagnosis: str) -> Seat:
     """The seat with the hint of a mistake shown. The mistake is kept for the summary."""
     now = seat.lesson_progress

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from helicoide.lesson.predictions import Prediction
+from helicoide.lines import LineExercise
 from helicoide.seat import CameraPreset, Notation, Seat, SeatUpdate, Selection
 from helicoide.state import State, Update
 
@@ -61,11 +62,12 @@ class Step:
     setup: brings the scene to the start of the step; goal: whether the step is done; solution: reaches the goal;
     joints: indices, from 0, of the joints whose sliders the step shows; held_for: how long the goal must hold, s;
     prediction: asked before its answer is revealed; diagnoses: typical mistakes, the first that applies is explained;
+    line: an exercise whose lines the reader types, all of which must be accepted;
     charts: names of signals; console, playground: whether the step contains a line of the console, or the quaternion
     playground; is_open: an open task, with many solutions or none.
 
-    A step without a goal is done when its prediction is answered. If it is open or has no prediction, its reader says
-    when it is done.
+    A step without a goal is done when its lines are accepted, else when its prediction is answered. If it is open or
+    has neither, its reader says when it is done.
     """
 
     id: str
@@ -77,6 +79,7 @@ class Step:
     prediction: Prediction | None = None
     diagnoses: tuple[Diagnosis, ...] = ()
     shown: Shown = field(default=Shown())
+    line: LineExercise | None = None
     charts: tuple[str, ...] = ()
     console: bool = False
     playground: bool = False
@@ -85,9 +88,9 @@ class Step:
     @property
     def by_reader(self) -> bool:
         """Whether the reader says that the step is done."""
-        return self.goal is None and (self.is_open or self.prediction is None)
+        return self.goal is None and self.line is None and (self.is_open or self.prediction is None)
 
     @property
     def by_answer(self) -> bool:
         """Whether the step is done when its prediction is answered."""
-        return self.goal is None and not self.by_reader
+        return self.goal is None and self.line is None and not self.by_reader

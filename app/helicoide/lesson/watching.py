@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from helicoide.lesson.lesson import Lesson
 from helicoide.lesson.progress import progressed, revealed, with_mistake
 from helicoide.lesson.step import Step
-from helicoide.seat import Seat
+from helicoide.seat import LessonProgress, Seat
 from helicoide.state import State
 
 MISTAKEN_FOR = 1.0  # s that a mistake lasts before it is explained
@@ -47,11 +47,13 @@ def judged_step(lesson: Lesson, state: State, seat: Seat, watch: StepWatch, now:
 
 
 def is_goal_met(step: Step, state: State, seat: Seat) -> bool:
-    """Whether the goal of a step is met now; without one, whether its prediction is answered if that is what counts."""
+    """Whether the goal of a step is met now and its lines are accepted; without both, whether it is answered."""
+    progress = seat.lesson_progress or LessonProgress("")
+    if step.line is not None and len(progress.lines.get(step.id, ())) < len(step.line.lines()):
+        return False
     if step.goal is not None:
         return bool(step.goal(state, seat))
-    progress = seat.lesson_progress
-    return step.by_answer and progress is not None and step.id in progress.answers
+    return step.line is not None or (step.by_answer and step.id in progress.answers)
 
 
 def mistake_made(step: Step, state: State, seat: Seat) -> str | None:

@@ -202,6 +202,7 @@ class Lab:
         await window.furnish(visitor.view(self.ready))
         await visitor.attach(bay)
         await visitor.settle(self.bays, self.view)
+        self.requests.steps.open(visitor)
         if hello.link and not window.gone:
             visitor.open_link(hello.link)
 

@@ -36,7 +36,7 @@ class LessonSteps:
             self.begin(visitor)
 
     def begin(self, visitor: Visitor) -> None:
-        """Set up the open step. If its robot is another one, that is loaded first, and `meet` sets up the step."""
+        """Set up the open step. If its robot is another one, that is loaded first, and the step is set up later."""
         chosen = lesson_of(visitor.place.seat)
         if chosen is None:
             return
@@ -45,6 +45,7 @@ class LessonSteps:
             visitor.lesson_arm = visitor.place.at_own
         bay = self.bays.of(visitor.place)
         if chosen.robot != bay.workcell.state.robot.name:
+            visitor.awaits_arm = True
             bay.arms.change(chosen.robot)
         else:
             self._set_up(visitor)
@@ -56,7 +57,24 @@ class LessonSteps:
         if chosen is not None and chosen.robot == visitor.bay.workcell.state.robot.name:
             self._set_up(visitor)
 
+    def settled(self, visitor: Visitor) -> None:
+        """A visitor has moved to another workcell, where the robot of its lesson may have arrived before it."""
+        chosen = lesson_of(visitor.place.seat)
+        if visitor.awaits_arm and chosen is not None and chosen.robot == visitor.bay.workcell.state.robot.name:
+            self._set_up(visitor)
+
+    def open(self, visitor: Visitor) -> None:
+        """A window opens in a lesson. If its step was never shown, it is now; a shared arm stays as it is."""
+        opened = open_step(visitor.place.seat)
+        if opened is None or visitor.place.seat.outside is not None:
+            return
+        if opened.lesson.own_arm:
+            self.begin(visitor)
+        else:
+            visitor.seat_as(lesson.with_step_shown(visitor.place.seat, opened.step))
+
     def _set_up(self, visitor: Visitor) -> None:
+        visitor.awaits_arm = False
         opened = open_step(visitor.place.seat)
         if opened is None:
             return

@@ -12,6 +12,7 @@ from helicoide.session.workcell import Workcell
 from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 from helicoide.text import Language
 from helicoide.view.window import new_seat
+from helicoide.view.window_view import LineCheck
 
 # s without a window, after which a place is removed, and after which its own arm is paused
 KEPT, LIVES_ON = 86_400.0, 600.0
@@ -22,7 +23,7 @@ class Place:
     """The seat of a user, its study and recording panels, and its own workcell, None if it never asked for one.
 
     at_own: whether its windows show the own workcell; windows: number of open windows; left: time at which the last
-    one closed, s of `monotonic`.
+    one closed, s of `monotonic`; line_check: of the line that was typed last for an exercise.
     """
 
     seat: Seat
@@ -32,6 +33,7 @@ class Place:
     at_own: bool = False
     windows: int = 0
     left: float = field(default_factory=monotonic)
+    line_check: LineCheck | None = None
 
 
 class Seats:

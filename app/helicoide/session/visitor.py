@@ -51,8 +51,8 @@ class Visitor:
     address: that of its page; settled: whether the window is not moving to another workcell; moving: the task that
     moves it; history: the last samples of the signals that the seat charts; setup, watch: of the open step; judged:
     seat and state that were judged last; outlook: camera position and target, (3,) m each, before a lesson moved it;
-    lesson_arm: whether a lesson has moved the visitor to its own arm; progress_changed: called with the place when its
-    seat has other progress in lessons.
+    lesson_arm: whether a lesson has moved the visitor to its own arm; awaits_arm: whether a step waits for its robot;
+    progress_changed: called with the place when its seat has other progress in lessons.
     """
 
     window: Window
@@ -67,6 +67,7 @@ class Visitor:
     judged: tuple[Seat | None, State | None] = (None, None)
     outlook: tuple[Array, Array] | None = None
     lesson_arm: bool = False
+    awaits_arm: bool = False
     progress_changed: Callable[[Place], object] = lambda place: None
 
     def view(self, ready: bool) -> View:
@@ -85,6 +86,7 @@ class Visitor:
             history=self.history,
             time=monotonic(),
             address=self.address,
+            line_check=place.line_check,
         )
 
     def sample(self) -> None:

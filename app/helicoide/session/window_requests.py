@@ -9,6 +9,7 @@ from helicoide.gate.undoing import REDONE, UNDONE
 from helicoide.session.bay import Bays
 from helicoide.session.exporting import Exporting
 from helicoide.session.lesson_steps import LessonSteps
+from helicoide.session.line_checking import LineChecking
 from helicoide.session.recording_requests import RecordingRequests
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
@@ -38,6 +39,7 @@ class WindowRequests:
         self.bays, self.studies, self.recording, self.exporting = bays, studies, recording, exporting
         self.view, self.news = view, news
         self.steps = LessonSteps(bays, self._move)
+        self.checking = LineChecking(news)
 
     def do(self, visitor: Visitor, request: PageRequest) -> None:
         """Carry out a request of a window."""
@@ -50,6 +52,8 @@ class WindowRequests:
                 except HelicoideError as refusal:
                     visitor.window.tell(refusal.text)
                 self.news()
+            case requests.CheckLine(text):
+                self.checking.begin(visitor, text)
             case requests.ResetStep():
                 self.steps.begin(visitor)
             case requests.Undo() if (change := self.view(visitor.window).sheet_undo) is not None:
@@ -84,7 +88,11 @@ class WindowRequests:
         visitor.place.at_own = own
         self.recording.recordings.meet(visitor.place)
         if visitor.settled:
-            visitor.moving = asyncio.get_running_loop().create_task(visitor.settle(self.bays, self.view))
+            visitor.moving = asyncio.get_running_loop().create_task(self._settle(visitor))
+
+    async def _settle(self, visitor: Visitor) -> None:
+        await visitor.settle(self.bays, self.view)
+        self.steps.settled(visitor)
 
     def _take_link(self, visitor: Visitor, own: bool) -> None:
         """Bring the arm of a visitor to the posture of a link, or its own arm, which it gets first.

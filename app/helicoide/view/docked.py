@@ -67,4 +67,5 @@ def _key(view: View) -> tuple[object, ...]:
         return ()
     opened = open_step(seat)
     is_answered = opened is not None and opened.answer is not None
-    return seat.language, seat.lesson, seat.projector, seat.lesson_progress.step, is_answered
+    lines = 0 if opened is None else len(opened.accepted_lines)
+    return seat.language, seat.lesson, seat.projector, seat.lesson_progress.step, is_answered, lines

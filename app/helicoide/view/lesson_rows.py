@@ -13,6 +13,7 @@ from helicoide.lesson import Lesson, entered, progressed, restarted, skipped, tu
 from helicoide.seat import LessonProgress, Seat
 from helicoide.text import Language, Text
 from helicoide.view.console_rows import console_line_rows
+from helicoide.view.line_rows import line_rows
 from helicoide.view.open_step import OpenStep, lesson_of, open_step
 from helicoide.view.panels.robot import joint_row
 from helicoide.view.playground_rows import playground_rows
@@ -51,6 +52,7 @@ def step_rows(robot: Robot, opened: OpenStep, language: Language) -> list[Row]:
         *(joint_row(robot, index) for index in step.joints),
         *(console_line_rows() if step.console else []),
         *([playground_rows()] if step.playground else []),
+        *(line_rows(opened, step.line, language) if step.line is not None else []),
         *(Plot(live_charts, index) for index in range(len(step.charts))),
         *([reveal_row()] if is_late else []),
         HtmlRow(_mistake),

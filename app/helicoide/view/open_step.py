@@ -29,6 +29,11 @@ class OpenStep:
         """The answer to the prediction of the step; None before it is given."""
         return self.progress.answers.get(self.step.id)
 
+    @property
+    def accepted_lines(self) -> tuple[str, ...]:
+        """The lines of its exercise that are accepted so far."""
+        return self.progress.lines.get(self.step.id, ())
+
 
 def lesson_of(seat: Seat) -> Lesson | None:
     """The open lesson of a seat."""

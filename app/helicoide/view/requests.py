@@ -140,6 +140,13 @@ class SaveRecording:
 
 
 @dataclass(frozen=True)
+class CheckLine:
+    """A request to check a line that was typed for the exercise of the open step."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class ResetStep:
     """A request to set up the open step of the lesson again."""
 
@@ -248,6 +255,7 @@ PageRequest = (
     | PlayTaught
     | PlayFastest
     | RecordingRequest
+    | CheckLine
     | ResetStep
     | Stop
     | Undo

@@ -284,4 +284,5 @@ def _same(old: View, new: View) -> bool:
         and old.study_panel is new.study_panel
         and old.history is new.history
         and old.recordings is new.recordings
+        and old.line_check is new.line_check
     ) and (old.ready, old.own, old.recorder) == (new.ready, new.own, new.recorder)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from helicoide.lines import LineVerdict
 from helicoide.readout.signal_history import NO_SIGNAL_HISTORY, SignalHistory
 from helicoide.recorder.panel_state import NO_RECORDINGS, RecordingPanelState
 from helicoide.recorder.recorder import RecorderStatus
@@ -14,13 +15,23 @@ from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 
 
 @dataclass(frozen=True, eq=False)
+class LineCheck:
+    """The line of an exercise that was typed last: of which lesson and step, its text, and what came of it."""
+
+    step: tuple[str, str]
+    text: str
+    verdict: LineVerdict
+
+
+@dataclass(frozen=True, eq=False)
 class View:
     """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
     ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one;
     recordings: the recordings that the seat looks at; recorder: the state of the arm's recorder, None if it has none;
     history: the last samples of the charted signals; time: s, for layers that move while the arm is at rest;
-    address: that of the page, to which links are added, empty until it is known.
+    address: that of the page, to which links are added, empty until it is known; line_check: of the line that was typed
+    last for an exercise.
     """
 
     state: State
@@ -33,6 +44,7 @@ class View:
     history: SignalHistory = NO_SIGNAL_HISTORY
     time: float = 0.0
     address: str = ""
+    line_check: LineCheck | None = None
 
     @property
     def sheet_undo(self) -> SheetChange | None:

@@ -16,6 +16,7 @@ from helicoide.geometry import incidence, rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Shown, Solution, Step, StepGoal, Value
+from helicoide.lines import GivenName, LineExercise
 from helicoide.readout import distance_product, plane_distances
 from helicoide.seat import Seat, Selection
 from helicoide.state import State, Update, with_joints
@@ -315,6 +316,18 @@ VALUES = {
     "foot": Value(lambda state, _: rigid.coordinates(forearm_on_bench(state)), "mm"),
 }
 
+EDGE = LineExercise(
+    "incidence",
+    (
+        GivenName("A", "plane", Text(en="a plane", pt_BR="um plano")),
+        GivenName("B", "plane", Text(en="another plane", pt_BR="outro plano")),
+        GivenName("p", "point", Text(en="a point", pt_BR="um ponto")),
+    ),
+    "join(K, p)",
+    steps=(("K", "meet(A, B)"),),
+    sign_counts=False,
+)
+
 STEPS = (
     Step("generators", start, prediction=Choice(right=1)),
     Step("blades", start, prediction=Estimate(fixed(CL031.count), "", within=0.0)),
@@ -429,5 +442,6 @@ STEPS = (
         shown=Shown(sheet=MOTION, camera="side"),
         console=True,
     ),
+    Step("edge", start, line=EDGE),
     Step("explore", start, is_open=True, console=True, joints=(WAIST, SHOULDER, 2, 3, 4)),
 )

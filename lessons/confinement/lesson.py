@@ -444,7 +444,7 @@ STEPS = (
         diagnoses=(
             Diagnosis("beyond", target_beyond, ((target_at(0.60, 0.0, 0.70), 5.0),)),
             Diagnosis("let_go", target_let_go, ((dragged_to(*BACK), 6.0),)),
-            Diagnosis("reached", target_reached, ((target_at(0.55, 0.0, 0.20), 4.0),)),
+            Diagnosis("reached", target_reached, ((target_at(0.60, 0.0, 0.13), 4.0),)),
         ),
         shown=Shown(layers=("distances",), camera="side"),
     ),

@@ -419,7 +419,7 @@ STEPS = (
         ((target_at(0.60, 0.0, 0.11), 3.0),),
         prediction=Choice(right=1),
         diagnoses=(Diagnosis("raised", tool_raised, ((target_at(0.60, 0.0, 0.25), 3.0),)),),
-        shown=Shown(layers=("distances",), camera="first"),
+        shown=Shown(hidden=("distances",), camera="first"),
     ),
     Step(
         "zones",

@@ -439,7 +439,7 @@ STEPS = (
             ),
             Diagnosis("hand", has_line(DISTANCE, hand_on_bench), typed("meet(join(wrist, tool), bench)")),
         ),
-        shown=Shown(sheet=DISTANCE, camera="side"),
+        shown=Shown(sheet=DISTANCE, camera="first"),
         console=True,
     ),
     Step("edge", start, line=EDGE),

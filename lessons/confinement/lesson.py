@@ -151,6 +151,11 @@ def missing(state: State) -> float:
     return float(np.linalg.norm(command.T_world_target[:3, 3] - state.T_world_tool[:3, 3]))
 
 
+def at_ready(state: State) -> State:
+    """The state with the arm at `ready`."""
+    return with_joints(state, np.array(state.robot.poses["ready"]))
+
+
 def shoulder_at_stop(state: State) -> float:
     """The shoulder angle, from `ready` upwards, at which the elbow is at the safety distance to the ceiling, rad."""
     low, high = float(state.robot.poses["ready"][SHOULDER]), ASKED
@@ -172,7 +177,7 @@ def to_the_edge(state: State) -> float:
 
 def between_walls(state: State) -> float:
     """How far the walls are from each other where the tool is at `ready`, along y, m."""
-    ready = with_joints(state, np.array(state.robot.poses["ready"])).T_world_tool[:3, 3]
+    ready = at_ready(state).T_world_tool[:3, 3]
     normals, offsets = state.problem.planes.normals, state.problem.planes.offsets
     left, right = (float((offsets[k] - normals[k] @ ready) / normals[k][1]) for k in (LEFT, RIGHT))
     return left - right
@@ -377,16 +382,18 @@ def fixed(number: float) -> Callable[[State, Seat], float]:
 
 
 VALUES = {
+    "elbow_at_first": Value(lambda state, _: elbow_to_ceiling(at_ready(state)), "mm"),
+    "tool_at_first": Value(lambda state, _: plane_distances(at_ready(state))[TOOL_POINT, BENCH], "mm"),
+    "height_at_first": Value(lambda state, _: at_ready(state).monitored_points[ELBOW_POINT][2], "mm"),
+    "shoulder_at_first": Value(lambda state, _: state.robot.poses["ready"][SHOULDER], "°"),
     "nearest": Value(lambda state, _: plane_distances(state).min(), "mm"),
     "elbow_ceiling": Value(lambda state, _: elbow_to_ceiling(state), "mm"),
-    "tool_bench": Value(lambda state, _: plane_distances(state)[TOOL_POINT, BENCH], "mm"),
     "safe": Value(lambda state, _: state.problem.zones.critical, "mm"),
     "warning": Value(lambda state, _: state.problem.zones.warning, "mm"),
     "shell": Value(fixed(SHELL_THICKNESS), "mm"),
     "reserve": Value(fixed(CRITICAL - SHELL_THICKNESS), "mm"),
     "asked": Value(fixed(ASKED), "°"),
     "shoulder": Value(lambda state, _: state.arm.q[SHOULDER], "°"),
-    "elbow_height": Value(lambda state, _: state.monitored_points[ELBOW_POINT][2], "mm"),
     "shoulder_height": Value(lambda state, _: state.monitored_points[1][2], "mm"),
     "upper_arm": Value(
         lambda state, _: float(np.linalg.norm(state.monitored_points[ELBOW_POINT] - state.monitored_points[1])), "mm"

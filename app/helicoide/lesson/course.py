@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from graphlib import CycleError, TopologicalSorter
 
 from helicoide.lesson.lesson import Lesson
 from helicoide.seat import LessonProgress
@@ -28,12 +27,11 @@ def course_levels(lessons: Collection[Lesson]) -> dict[str, int]:
 
 
 def circle_of_needs(lessons: Collection[Lesson]) -> tuple[str, ...]:
-    """The ids of lessons that build on one another in a circle; empty if there are none."""
-    try:
-        TopologicalSorter({lesson.id: lesson.needs for lesson in lessons}).prepare()
-    except CycleError as error:
-        return tuple(error.args[1])
-    return ()
+    """The ids of lessons that build on one another in a circle, and of those that build on these; empty without any.
+
+    In a circle each round of `course_levels` raises the levels, so that they become higher than any chain can be.
+    """
+    return tuple(name for name, level in course_levels(lessons).items() if level >= len(lessons))
 
 
 def next_lessons(lessons: Sequence[Lesson], progress: Mapping[str, LessonProgress]) -> tuple[Lesson, ...]:

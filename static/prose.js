@@ -13,9 +13,13 @@
     if (document.activeElement === document.body) button?.focus({ preventScroll: true });
   }
 
+  function show() {
+    document.querySelector(TOP)?.parentElement.scrollIntoView({ block: "start" });
+  }
+
   function changed() {
     const top = document.querySelector(TOP);
-    if (top && top.textContent !== title) top.parentElement.scrollIntoView({ block: "start" });
+    if (top && top.textContent !== title) setTimeout(show, 300); // viser opens a new panel only then
     title = top?.textContent ?? "";
     if (pressed) refocus();
   }

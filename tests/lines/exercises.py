@@ -9,7 +9,7 @@ from helicoide.text import untranslated
 def given(words: str) -> tuple[GivenName, ...]:
     """Names from words such as "angle: q1 q2; length: a"; a formula is written g = rotor(0, 0, 1, q1)."""
     names: list[GivenName] = []
-    for part in words.split(";"):
+    for part in filter(None, words.split(";")):
         if "=" in part:
             name, formula = part.split("=")
             names.append(GivenName(name.strip(), "formula", untranslated(name.strip()), formula.strip()))
@@ -117,4 +117,30 @@ EXERCISES: dict[str, LineExercise] = {
     "dls": exercise("error", "number: s lambda", "s/(s**2 + lambda**2)"),
     "rot err": exercise("error", "rotation: qd q", "2*part(qd*conj(q), k)"),
     "blend": exercise("error", "motor: M N; number: s", "M*exp(s*log(conj(M)*N))"),
+    "euler zyx": exercise(
+        "quaternion product",
+        "angle: yaw pitch roll",
+        "(cos(yaw/2) + sin(yaw/2)*k)*(cos(pitch/2) + sin(pitch/2)*j)*(cos(roll/2) + sin(roll/2)*i)",
+    ),
+    "rodrigues": exercise(
+        "quaternion product", "angle: phi; number: a; vector: v", "v*cos(phi) + 0.5*(k*v - v*k)*sin(phi)"
+    ),
+    "slerp": exercise("quaternion product", "rotation: qa qb; number: s", "qa*exp(s*log(conj(qa)*qb))"),
+    "screw pitch": exercise("motor", "angle: theta; length: h; line: L", "screw(L, theta, h*theta)"),
+    "two turns": exercise("motor", "angle: alpha beta", "exp(alpha/2*e12)*exp(beta/2*e23)"),
+    "scara": exercise(
+        "chain",
+        "angle: q1 q2; length: a1 a2 d",
+        "rotor(0, 0, 1, q1)*translator(a1, 0, 0)*rotor(0, 0, 1, q2)*translator(a2, 0, -d)",
+    ),
+    "conjugated": exercise("chain", "motor: T; line: L; angle: q", "conj(T)*screw(L, q)*T"),
+    "z of elbow": exercise("chain", "angle: q2 q3; length: h a2 a3", "h + a2*sin(q2) + a3*sin(q2 + q3)"),
+    "plane of line": exercise("incidence", "point: p q r; plane: A", "meet(join(p, q, r), A)"),
+    "common normal": exercise("incidence", "line: L1 L2", "common_normal(L1, L2)"),
+    "angle of planes": exercise("incidence", "plane: A B", "angle(A, B)"),
+    "y column": exercise("jacobian", "angle: q1 q2 q3; length: a1 a2 a3", "a2*cos(q1 + q2) + a3*cos(q1 + q2 + q3)"),
+    "axis turned": exercise("jacobian", "angle: q1", "cos(q1)*e2e3 + sin(q1)*e3e1"),
+    "rate": exercise("jacobian", "angle: q1 q2; length: a1; number: w1 w2", "w1*e12 + w2*(screw(e12, q1) >> e31)"),
+    "pose err": exercise("error", "motor: M D", "log(D*conj(M))"),
+    "weighted": exercise("error", "number: x xd y yd", "(xd - x)**2 + (yd - y)**2"),
 }

@@ -10,19 +10,18 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.console import ExpressionError, Value, all_functions, kind_of
-from helicoide.console.evaluate import Budget, Scope, evaluate
+from helicoide.console.evaluate import Budget
 from helicoide.console.grammar import parse_line
 from helicoide.console.names import is_reserved
 from helicoide.console.results import RESERVED
 from helicoide.console.syntax import Expression, FunctionCall, Reference, Span
-from helicoide.geometry import rigid, rotation
-from helicoide.geometry.clifford import CL031, QUATERNIONS
-from helicoide.geometry.multivector import Multivector
-from helicoide.lines.equality import rule_of
+from helicoide.lines.equality import equality_rule
 from helicoide.lines.exercise import LineExercise
+from helicoide.lines.fallback import wrong_blades
+from helicoide.lines.motion import motion_shown
 from helicoide.lines.repair import Repair
 from helicoide.lines.samples import expression_of, samples
-from helicoide.lines.search import MOST_WORK, first_wrong, repaired, wrong_blades
+from helicoide.lines.search import MOST_WORK, first_wrong, repaired
 from helicoide.lines.slips import SlipName, words_of
 from helicoide.lines.tree import all_parts, text_of, united
 from helicoide.lines.typed_line import Sample, TypedLine
@@ -30,7 +29,7 @@ from helicoide.text import HelicoideError, Text
 
 EMPTY = Text(en="type an expression here", pt_BR="digite aqui uma expressão")
 WITHOUT = Text(en="here the line is written without {name}", pt_BR="aqui a linha se escreve sem {name}")
-MOTIONS = ("motor", "even", "quaternion")
+LONGEST_QUOTED = 60  # characters of a wrong term in its title
 
 
 @dataclass(frozen=True)
@@ -42,8 +41,8 @@ class Accepted:
 class WrongTerm:
     """The line differs: the characters of the first wrong term, what kind of slip it is, and what to look at.
 
-    expected: what would be right in its place. wrong_pose, right_pose: the motions (4, 4), m, of the typed and of the
-    expected line, if they are motions.
+    expected: what would be right in its place, or for the whole line. wrong_pose, right_pose: the motions (4, 4),
+    m, of the typed and of the expected line, if they are motions.
     """
 
     span: Span
@@ -71,20 +70,35 @@ def check_line(exercise: LineExercise, text: str, at: Mapping[str, Value] | None
     Raises HelicoideError if the exercise itself has a fault.
     """
     exercise = exercise.lines()[-1]
+    expected, known = _expected(exercise)
     try:
-        line = _read(exercise, text)
+        root = _read(exercise, text)
     except ExpressionError as error:
         return Refused(error.without_trace())
+    found = tuple(Sample(sample.given, dict(sample.values)) for sample in known)
+    line = TypedLine(root, expected, found, exercise.names, exercise.kind, equality_rule(exercise))
+    search = Budget(MOST_WORK)
     try:
-        budget = Budget()
         for sample in line.samples:
-            sample.learn(line.root, budget)
+            _learn(sample, line.root, search)
     except ExpressionError as error:
-        repair = repaired(line, Budget(MOST_WORK)) if _has_names_alone(line) else None
-        return Refused(error.without_trace()) if repair is None else _wrong(line, repair, text, at)
-    if all(line.rule.equal(one.values[id(line.root)], one.values[id(line.expected)]) for one in line.samples):
-        return Accepted()
-    return _wrong(line, first_wrong(line, Budget(MOST_WORK)), text, at)
+        with np.errstate(all="ignore"):
+            repair = repaired(line, search) if _has_names_alone(line) else None
+            return Refused(error.without_trace()) if repair is None else _wrong(line, repair, text, at)
+    with np.errstate(all="ignore"):  # a very large value is wrong without a warning
+        if all(line.rule.equal(one.values[id(line.root)], one.values[id(line.expected)]) for one in line.samples):
+            return Accepted()
+        return _wrong(line, first_wrong(line, search), text, at)
+
+
+def _learn(sample: Sample, root: Expression, search: Budget) -> None:
+    """Compute a line, which may take as much as a sheet; what it takes is not left for the search of a repair."""
+    budget = Budget()
+    before = budget.left
+    try:
+        sample.learn(root, budget)
+    finally:
+        search.left -= before - budget.left
 
 
 def line_faults(exercise: LineExercise) -> list[Text]:
@@ -109,8 +123,8 @@ def _expected(exercise: LineExercise) -> tuple[Expression, tuple[Sample, ...]]:
     return root, found
 
 
-def _read(exercise: LineExercise, text: str) -> TypedLine:
-    """The typed line, without its values. Raises ExpressionError."""
+def _read(exercise: LineExercise, text: str) -> Expression:
+    """The typed expression. Raises ExpressionError."""
     statement = parse_line(text)
     if statement is None:
         raise ExpressionError(EMPTY, 0, len(text))
@@ -120,9 +134,7 @@ def _read(exercise: LineExercise, text: str) -> TypedLine:
     for part in all_parts(statement.expression):
         if isinstance(part, FunctionCall) and part.name in exercise.without:
             raise ExpressionError(WITHOUT.format(name=part.name), part.place.start, part.place.end)
-    expected, known = _expected(exercise)
-    found = tuple(Sample(sample.given, dict(sample.values)) for sample in known)
-    return TypedLine(statement.expression, expected, found, exercise.names, exercise.kind, rule_of(exercise))
+    return statement.expression
 
 
 def _has_names_alone(line: TypedLine) -> bool:
@@ -137,9 +149,12 @@ def _has_names_alone(line: TypedLine) -> bool:
 
 def _wrong(line: TypedLine, repair: Repair, text: str, at: Mapping[str, Value] | None) -> WrongTerm:
     span = united(repair.about, text)
-    title = words_of(repair.slip, line.kind).format(part=text[span.start : span.end], **_fields(line, repair.slip))
+    part = text[span.start : span.end]
+    shown = part if len(part) <= LONGEST_QUOTED else f"{part[: LONGEST_QUOTED - 1]}…"
+    title = words_of(repair.slip, line.kind).format(part=shown, **_fields(line, repair.slip))
+    wrong, right = (motion_shown(line, root, at) for root in (line.root, line.expected))
     by = next(iter(repair.changes.values()))
-    return WrongTerm(span, repair.slip, title, text_of(by), _pose(line, line.root, at), _pose(line, line.expected, at))
+    return WrongTerm(span, repair.slip, title, text_of(by), wrong, right)
 
 
 def _fields(line: TypedLine, slip: SlipName) -> dict[str, object]:
@@ -150,21 +165,3 @@ def _fields(line: TypedLine, slip: SlipName) -> dict[str, object]:
         typed, expected = (kind_of(line.samples[0].values[id(part)]).title for part in (line.root, line.expected))
         return {"kind": typed, "wanted": expected}
     return {}
-
-
-def _pose(line: TypedLine, part: Expression, at: Mapping[str, Value] | None) -> Array | None:
-    """The motion (4, 4) that an expression is, of any size but zero; None if it is none."""
-    try:
-        value = line.samples[0].value_of(part, Budget()) if at is None else evaluate(part, Scope(at, {}, Budget()))
-    except ExpressionError:
-        return None
-    if not isinstance(value, Multivector) or kind_of(value).name not in MOTIONS:
-        return None
-    if value.algebra is QUATERNIONS:
-        T = np.eye(4)
-        T[:3, :3] = rotation.to_matrix(value.values)
-    elif value.algebra is CL031:
-        T = rigid.pose_from_motor(value.values)
-    else:
-        return None
-    return T if np.isfinite(T).all() else None

@@ -16,7 +16,7 @@ TOLERANCE = 1e-9  # of the largest coefficient; rounding stays below 1e-12
 
 
 @dataclass(frozen=True)
-class Rule:
+class EqualityRule:
     """What counts as equal. any_size: a positive factor does not matter; any_sign: neither does a sign."""
 
     any_size: bool = False
@@ -42,12 +42,12 @@ class Rule:
         return bool(np.abs(a - factor * b).max() <= TOLERANCE * max(1.0, abs(factor)) * (1.0 + np.abs(b).max()))
 
 
-EXACT = Rule()
+EXACT = EqualityRule()
 
 
-def rule_of(exercise: LineExercise) -> Rule:
+def equality_rule(exercise: LineExercise) -> EqualityRule:
     """The rule of an exercise: a join or a meet may have any size, since 2π is the plane π."""
-    return Rule(any_size=exercise.kind == "incidence", any_sign=not exercise.sign_counts)
+    return EqualityRule(any_size=exercise.kind == "incidence", any_sign=not exercise.sign_counts)
 
 
 def same_blades(value: Value, expected: Value) -> tuple[Array, Array] | None:

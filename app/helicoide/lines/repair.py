@@ -24,7 +24,7 @@ Change = Callable[[Expression], Iterator[Expression]]
 Naming = Callable[[Expression], SlipName]
 
 
-def one(slip: SlipName, part: Expression, by: Expression, *about: Expression) -> Repair:
+def replacing(slip: SlipName, part: Expression, by: Expression, *about: Expression) -> Repair:
     """The replacement of one part. about: the parts that are wrong, if it is not the whole of it."""
     return Repair(slip, {id(part): by}, about or (part,))
 
@@ -33,7 +33,7 @@ def each(line: TypedLine, slip: SlipName | Naming, change: Change) -> Iterator[R
     """A change at each part, then at all parts at once that have the same text."""
     for part in line.parts:
         for by in change(part):
-            yield one(_name(slip, part), part, by)
+            yield replacing(_name(slip, part), part, by)
     for group in line.repeated:
         yield from together(_name(slip, group[0]), group, change)
 

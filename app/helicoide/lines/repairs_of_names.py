@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
-from helicoide.lines.repair import Repair, each, one, together
+from helicoide.lines.repair import Repair, each, replacing, together
 from helicoide.lines.repairs_of_order import without_conjugate
-from helicoide.lines.terms import factors, product_of
+from helicoide.lines.terms import product_factors, product_of
 from helicoide.lines.tree import NOWHERE, call, operation
 from helicoide.lines.typed_line import TypedLine
 
@@ -28,7 +28,7 @@ def _name(name: str) -> Reference:
     return Reference(name, NOWHERE)
 
 
-def join_or_meet(line: TypedLine) -> Iterator[Repair]:
+def join_or_meet_repairs(line: TypedLine) -> Iterator[Repair]:
     """A join for a meet, or the other way round."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -42,10 +42,10 @@ def join_or_meet(line: TypedLine) -> Iterator[Repair]:
     for part in line.parts:
         for symbol, other in OPPOSITE_OPERATOR.items():
             if line.is_top(part, symbol):
-                yield one("join or meet", part, product_of(factors(part, symbol), other))
+                yield replacing("join or meet", part, product_of(product_factors(part, symbol), other))
 
 
-def conjugate_too_many(line: TypedLine) -> Iterator[Repair]:
+def conjugate_too_many_repairs(line: TypedLine) -> Iterator[Repair]:
     """A conjugate or inverse that should not be there."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -56,15 +56,15 @@ def conjugate_too_many(line: TypedLine) -> Iterator[Repair]:
     return each(line, lambda part: "inverse" if line.is_motion(part) else "conjugate too many", change)
 
 
-def conjugate(line: TypedLine) -> Iterator[Repair]:
+def conjugate_repairs(line: TypedLine) -> Iterator[Repair]:
     """A conjugate that is forgotten; of the whole line, the inverse."""
 
     for part in sorted(line.parts, key=lambda part: part is line.root or not isinstance(part, Reference)):
         if line.is_multivector(part):
-            yield one("inverse" if line.is_motion(part) else "conjugate", part, call("conj", part))
+            yield replacing("inverse" if line.is_motion(part) else "conjugate", part, call("conj", part))
 
 
-def axis(line: TypedLine) -> Iterator[Repair]:
+def axis_repairs(line: TypedLine) -> Iterator[Repair]:
     """Another axis, i for j or e2e3 for e1e2, at one place, at all, or two of them exchanged."""
     for family in FAMILIES:
 
@@ -81,7 +81,7 @@ def axis(line: TypedLine) -> Iterator[Repair]:
                 yield Repair("axis", changes, group[:1])
 
 
-def blade(line: TypedLine) -> Iterator[Repair]:
+def blade_repairs(line: TypedLine) -> Iterator[Repair]:
     """A blade of another grade, such as e1 for e1e."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -91,7 +91,7 @@ def blade(line: TypedLine) -> Iterator[Repair]:
     return each(line, "blade", change)
 
 
-def name(line: TypedLine) -> Iterator[Repair]:
+def name_repairs(line: TypedLine) -> Iterator[Repair]:
     """A given name that stands for another one of its kind, such as the angle of another joint."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -109,15 +109,15 @@ def name(line: TypedLine) -> Iterator[Repair]:
             yield Repair("name", {id(part): _name(swapped[part.name]) for part in group}, group[:1])
 
 
-def operator(line: TypedLine) -> Iterator[Repair]:
+def operator_repairs(line: TypedLine) -> Iterator[Repair]:
     """Another operator, such as a product for a sandwich."""
     for part in line.parts:
         if isinstance(part, Operation) and len(part.operands) == 2:
             for symbol in OTHER_OPERATORS.get(part.operator, ()):
-                yield one("operator", part, operation(symbol, *part.operands))
+                yield replacing("operator", part, operation(symbol, *part.operands))
 
 
-def function(line: TypedLine) -> Iterator[Repair]:
+def function_repairs(line: TypedLine) -> Iterator[Repair]:
     """A function that should not be applied."""
 
     def change(part: Expression) -> Iterator[Expression]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from helicoide.console.syntax import Expression, FunctionCall, Literal, Operation, Reference, operands_of
-from helicoide.lines.repair import Change, Repair, each, one, together
+from helicoide.lines.repair import Change, Repair, each, replacing, together
 from helicoide.lines.repairs_of_order import is_negated
 from helicoide.lines.slips import SlipName
 from helicoide.lines.terms import signed_terms, sum_of
@@ -25,7 +25,7 @@ def _number(value: float) -> Literal:
     return Literal(value, NOWHERE)
 
 
-def sine_or_cosine(line: TypedLine) -> Iterator[Repair]:
+def sine_or_cosine_repairs(line: TypedLine) -> Iterator[Repair]:
     """A sine for a cosine or the other way round, at one place or at all."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -43,7 +43,7 @@ def _angles(line: TypedLine, of: tuple[str, ...] = OF_AN_ANGLE) -> tuple[Express
                  if isinstance(part, FunctionCall) and part.name in of and part.arguments)  # fmt: skip
 
 
-def half(line: TypedLine) -> Iterator[Repair]:
+def half_repairs(line: TypedLine) -> Iterator[Repair]:
     """A half that is forgotten, or is there once too often."""
 
     def forgotten(part: Expression) -> Iterator[Expression]:
@@ -57,7 +57,7 @@ def half(line: TypedLine) -> Iterator[Repair]:
     for part in line.parts:
         match part:
             case Operation("/", (whole, Literal(2.0))) | Operation("*", (Literal(0.5), whole)):
-                yield one("half too much", part, whole)
+                yield replacing("half too much", part, whole)
     changes: tuple[tuple[SlipName, Change], ...] = (("half", forgotten), ("half too much", too_often))
     for slip, change in changes:
         for group in (_angles(line), _angles(line, ("sin", "cos")), _angles(line, ("exp",))):
@@ -69,17 +69,17 @@ def half(line: TypedLine) -> Iterator[Repair]:
                 yield from together(slip, tuple(x for x in part.arguments if not isinstance(x, Literal)), change)
 
 
-def written_minus(line: TypedLine) -> Iterator[Repair]:
+def written_minus_repairs(line: TypedLine) -> Iterator[Repair]:
     """A minus in front of something, which should not be there."""
     if is_negated(line.root) and line.is_whole:
-        yield one("opposite", line.root, operation("-", line.root))
+        yield replacing("opposite", line.root, operation("-", line.root))
     for part in line.parts:
         match part:
             case Operation("-", (operand,)):
-                yield one(_sign_of_what(line, part), part, operand)
+                yield replacing(_sign_of_what(line, part), part, operand)
 
 
-def sign(line: TypedLine) -> Iterator[Repair]:
+def sign_repairs(line: TypedLine) -> Iterator[Repair]:
     """A plus for a minus, or a minus that is missing."""
 
     def slip(part: Expression) -> SlipName:
@@ -92,17 +92,17 @@ def sign(line: TypedLine) -> Iterator[Repair]:
             yield operation("-", part)
 
     if line.is_whole:
-        yield one("opposite", line.root, operation("-", line.root))
+        yield replacing("opposite", line.root, operation("-", line.root))
     for part in line.parts:
         match part:
             case Operation("+" | "-" as symbol, (left, right)):
-                yield one(slip(right), part, operation("-" if symbol == "+" else "+", left, right), right)
+                yield replacing(slip(right), part, operation("-" if symbol == "+" else "+", left, right), right)
     yield from each(line, slip, change)
     if angles := _angles(line):
         yield from together("sense", angles, change)
     for part in line.parts:
         if isinstance(part, FunctionCall) and part.name in COORDINATES:
-            yield one("sign", part, call(part.name, *(operation("-", argument) for argument in part.arguments)))
+            yield replacing("sign", part, call(part.name, *(operation("-", argument) for argument in part.arguments)))
 
 
 def _sign_of_what(line: TypedLine, part: Expression) -> SlipName:
@@ -116,7 +116,7 @@ def _sign_of_what(line: TypedLine, part: Expression) -> SlipName:
     return "sign"
 
 
-def moment_sign(line: TypedLine) -> Iterator[Repair]:
+def moment_sign_repairs(line: TypedLine) -> Iterator[Repair]:
     """The terms with e1e, e2e, e3e of a line or twist negated: v × r for r × v."""
     for part in line.parts:
         if line.is_top(part, "+-"):
@@ -124,7 +124,7 @@ def moment_sign(line: TypedLine) -> Iterator[Repair]:
             moment = [term for _, term in terms if _has_null_blade(term)]
             if len(moment) > 1:
                 turned = [(-plus if _has_null_blade(term) else plus, term) for plus, term in terms]
-                yield one("moment", part, sum_of(turned), *moment)
+                yield replacing("moment", part, sum_of(turned), *moment)
 
 
 def _has_null_blade(part: Expression) -> bool:
@@ -136,7 +136,7 @@ def _has_null_blade(part: Expression) -> bool:
     return False
 
 
-def unit(line: TypedLine) -> Iterator[Repair]:
+def unit_repairs(line: TypedLine) -> Iterator[Repair]:
     """Degrees for radians, millimetres for metres."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -147,7 +147,7 @@ def unit(line: TypedLine) -> Iterator[Repair]:
 
     for part in line.parts:
         if isinstance(part, FunctionCall) and part.name == "deg":
-            yield from (one("unit", part, inner) for inner in part.arguments)
+            yield from (replacing("unit", part, inner) for inner in part.arguments)
     in_degrees = tuple(part for part in line.parts if isinstance(part, FunctionCall) and part.name == "deg")
     yield from together("unit", in_degrees, lambda part: iter(operands_of(part)))
     group = _angles(line)
@@ -156,7 +156,7 @@ def unit(line: TypedLine) -> Iterator[Repair]:
     yield from each(line, "unit", change)
 
 
-def power(line: TypedLine) -> Iterator[Repair]:
+def power_repairs(line: TypedLine) -> Iterator[Repair]:
     """A square that is missing, or is there once too often."""
 
     def change(part: Expression) -> Iterator[Expression]:

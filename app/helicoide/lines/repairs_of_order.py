@@ -8,19 +8,20 @@ from itertools import combinations
 
 from helicoide.console.names import BLADE
 from helicoide.console.syntax import Expression, FunctionCall, Operation, Reference
-from helicoide.lines.repair import Repair, each, one
+from helicoide.lines.repair import Repair, each, replacing
 from helicoide.lines.slips import SlipName
-from helicoide.lines.terms import factors, product_of, signed_terms
+from helicoide.lines.terms import product_factors, product_of, signed_terms
 from helicoide.lines.tree import call, operation, text_of
 from helicoide.lines.typed_line import TypedLine
 
 IN_THEIR_ORDER = {"e2e3", "e3e1", "e1e2", "e2e3e", "e3e1e", "e1e2e", "e1e", "e2e", "e3e", "e1e2e3", "e1e2e3e"}
 COMPONENTS = {"direction", "point", "rotor", "translator", "plane", "quaternion"}
+ORIENTED = {"join", "meet", "line", "plane_through", "common_normal"}
 MOST_MOVED = 7  # of longer products only neighbours are exchanged
 CONJUGATES = {"conj", "inverse", "reverse"}
 
 
-def blade_order(line: TypedLine) -> Iterator[Repair]:
+def blade_order_repairs(line: TypedLine) -> Iterator[Repair]:
     """e1e3 for e3e1, which differ in sign."""
 
     def change(part: Expression) -> Iterator[Expression]:
@@ -33,21 +34,21 @@ def blade_order(line: TypedLine) -> Iterator[Repair]:
     return each(line, "blade order", change)
 
 
-def passive(line: TypedLine) -> Iterator[Repair]:
+def passive_repairs(line: TypedLine) -> Iterator[Repair]:
     """q* v q for q v q*, or M* >> X for M >> X: the coordinates change instead of what is moved."""
     for part in line.parts:
         if line.is_top(part, "*"):
-            found = factors(part)
+            found = product_factors(part)
             for n in range(len(found) - 2):
                 first, middle, last = found[n : n + 3]
                 if _conjugate_of(first, last) or _conjugate_of(last, first):
                     swapped = [*found[:n], last, middle, first, *found[n + 3 :]]
-                    yield one("passive", part, product_of(swapped), first, last)
+                    yield replacing("passive", part, product_of(swapped), first, last)
         match part:
             case Operation(">>", (mover, X)):
                 unwrapped = without_conjugate(mover)
                 changed = call("conj", mover) if unwrapped is None else unwrapped
-                yield one("passive", part, operation(">>", changed, X), mover)
+                yield replacing("passive", part, operation(">>", changed, X), mover)
 
 
 def without_conjugate(part: Expression) -> Expression | None:
@@ -65,16 +66,16 @@ def _conjugate_of(one: Expression, other: Expression) -> bool:
     return inner is not None and text_of(inner) == text_of(other)
 
 
-def factor_order(line: TypedLine) -> Iterator[Repair]:
+def factor_order_repairs(line: TypedLine) -> Iterator[Repair]:
     """Factors of a product, or motors of a sandwich, that are exchanged, moved or in reverse."""
     for symbol in ("*", ">>"):
         for part in line.parts:
             if line.is_top(part, symbol):
-                found = factors(part, symbol)
+                found = product_factors(part, symbol)
                 movable = [factor for factor in found if line.is_multivector(factor)]
                 numbers = [factor for factor in found if not line.is_multivector(factor)]
                 for order, about in _orders(movable):
-                    yield one("order", part, product_of([*numbers, *order], symbol), *about)
+                    yield replacing("order", part, product_of([*numbers, *order], symbol), *about)
 
 
 def _orders(found: list[Expression]) -> Iterator[tuple[list[Expression], Sequence[Expression]]]:
@@ -96,14 +97,14 @@ def _orders(found: list[Expression]) -> Iterator[tuple[list[Expression], Sequenc
                     yield [*rest[:n], found[m], *rest[n:]], (found[m],)
 
 
-def operand_order(line: TypedLine) -> Iterator[Repair]:
+def operand_order_repairs(line: TypedLine) -> Iterator[Repair]:
     """q ^ p for p ^ q, and a − b for b − a."""
     for part in line.parts:
         match part:
             case Operation("^" | "&" | "|" as symbol, (left, right)):
-                yield one("order", part, operation(symbol, right, left))
+                yield replacing("order" if symbol == "|" else "orientation", part, operation(symbol, right, left))
             case Operation("-", (left, right)) if len(signed_terms(part)) == 2 and not is_negated(left):
-                yield one("difference", part, operation("-", right, left))
+                yield replacing("difference", part, operation("-", right, left))
 
 
 def is_negated(part: Expression) -> bool:
@@ -116,12 +117,17 @@ def is_negated(part: Expression) -> bool:
     return False
 
 
-def argument_order(line: TypedLine) -> Iterator[Repair]:
+def argument_order_repairs(line: TypedLine) -> Iterator[Repair]:
     """Two arguments that are exchanged: join(q, p) for join(p, q), or the x and z of a direction."""
     for part in line.parts:
         if isinstance(part, FunctionCall):
             for m, n in combinations(range(len(part.arguments)), 2):
                 order = list(part.arguments)
                 order[m], order[n] = order[n], order[m]
-                slip: SlipName = "axis" if part.name in COMPONENTS and n < 3 else "argument order"
-                yield one(slip, part, call(part.name, *order))
+                yield replacing(_slip_of_arguments(part.name, n), part, call(part.name, *order))
+
+
+def _slip_of_arguments(function: str, last: int) -> SlipName:
+    if function in ORIENTED:
+        return "orientation"
+    return "axis" if function in COMPONENTS and last < 3 else "argument order"

@@ -8,11 +8,11 @@ from helicoide.lines.exercise import LineKind
 from helicoide.text import Text
 
 SlipName = Literal[
-    "blade order", "passive", "order", "difference", "argument order", "axis", "join or meet", "sine or cosine", "half",
-    "half too much", "opposite", "sense", "axis sign", "sign", "moment", "inverse", "conjugate", "conjugate too many",
-    "blade", "name", "unit", "operator", "power", "function", "surplus term", "surplus factor", "missing term",
-    "missing factor", "missing argument", "missing function", "unfinished", "part", "rounded", "coefficient", "kind",
-    "line",
+    "blade order", "passive", "order", "difference", "argument order", "orientation", "axis", "join or meet",
+    "sine or cosine", "half", "half too much", "opposite", "sense", "axis sign", "sign", "moment", "inverse",
+    "conjugate", "conjugate too many", "blade", "name", "unit", "operator", "power", "function", "surplus term",
+    "surplus factor", "missing term", "missing factor", "missing argument", "missing function", "unfinished", "part",
+    "rounded", "coefficient", "kind", "line",
 ]  # fmt: skip
 
 SLIPS: dict[SlipName, Text] = {
@@ -42,6 +42,11 @@ SLIPS: dict[SlipName, Text] = {
         en="“{part}” has the right arguments in another order; here the order matters. What does each place stand for?",
         pt_BR="“{part}” tem os argumentos certos em outra ordem, e aqui a ordem importa. O que significa cada posição?",
     ),
+    "orientation": Text(
+        en="“{part}”: a join or meet has an orientation, and this order gives the opposite one. "
+        "From which to which does it run?",
+        pt_BR="“{part}”: join e meet têm orientação, e nesta ordem ela sai oposta. De qual para qual ele vai?",
+    ),
     "axis": Text(
         en="“{part}” belongs to another axis. Which axis is meant here, x, y or z?",
         pt_BR="“{part}” é de outro eixo. De que eixo se trata aqui: x, y ou z?",
@@ -57,10 +62,10 @@ SLIPS: dict[SlipName, Text] = {
         pt_BR="“{part}”: seno e cosseno estão trocados. O que deve sobrar quando o ângulo é 0?",
     ),
     "half": Text(
-        en="“{part}” stands there whole. A motor acts from both sides, so each side does half of the motion: "
-        "is there a ½ to write?",
-        pt_BR="“{part}” aparece inteiro. Um motor age pelos dois lados, e cada lado faz metade do movimento: "
-        "não falta um ½?",
+        en="“{part}” stands there whole, where half of it is needed. Where does this formula have its ½: at an angle, "
+        "at a mean of two?",
+        pt_BR="“{part}” aparece inteiro, onde se precisa da metade. Onde esta fórmula tem o seu ½: em um ângulo, "
+        "em uma média de dois?",
     ),
     "half too much": Text(
         en="“{part}” is half of what is needed. Is the ½ already inside the function, or counted twice?",
@@ -105,8 +110,8 @@ SLIPS: dict[SlipName, Text] = {
         pt_BR="“{part}” é outra lâmina. O que se multiplica aqui: direção, giro ou deslocamento? Olhe os seus fatores.",
     ),
     "name": Text(
-        en="“{part}” is of the right kind, but another one belongs here. Which joint, point or frame is it of?",
-        pt_BR="“{part}” é do tipo certo, mas aqui vai outro. De que junta, ponto ou sistema ele é?",
+        en="“{part}” is of the right kind, but another one belongs here. What do its letter and its number stand for?",
+        pt_BR="“{part}” é do tipo certo, mas aqui vai outro. O que indicam a letra e o número dele?",
     ),
     "unit": Text(
         en="“{part}” has another unit. Angles are in radians here, lengths in metres; deg(x) converts from degrees.",
@@ -119,8 +124,8 @@ SLIPS: dict[SlipName, Text] = {
         "O que o primeiro deve fazer com o segundo?",
     ),
     "power": Text(
-        en="“{part}” has another power than it should. Is it a length, or the square of one?",
-        pt_BR="“{part}” está com outra potência. Isto é um comprimento ou o quadrado dele?",
+        en="“{part}” has another power than it should. Is the thing itself meant here, its square, or its root?",
+        pt_BR="“{part}” está com outra potência. O que vai aqui: ele próprio, o quadrado ou a raiz dele?",
     ),
     "function": Text(
         en="“{part}”: what is inside fits already, without the function around it. What does the function make of it?",
@@ -171,8 +176,10 @@ SLIPS: dict[SlipName, Text] = {
         pt_BR="“{part}” é outro tipo de coisa: o tipo é “{kind}”, e o que se pede é do tipo “{wanted}”.",
     ),
     "line": Text(
-        en="“{part}” differs in more than one place. Write it in small steps, and compare each with the figure.",
-        pt_BR="“{part}” difere em mais de um lugar. Escreva em passos pequenos e compare cada um com a figura.",
+        en="“{part}” does not lead to what is asked for, and no single change would do. Write it in small steps: "
+        "what happens first?",
+        pt_BR="“{part}” não leva ao que se pede, e nenhuma mudança sozinha resolve. Escreva em passos pequenos: "
+        "o que acontece primeiro?",
     ),
 }
 
@@ -188,10 +195,11 @@ WORLD_OR_TOOL = Text(
     pt_BR="“{part}”: o que está à esquerda é medido no sistema do mundo; o que está à direita, no do efetuador. "
     "Em qual dos dois se pede este erro?",
 )
-ORIENTED = Text(
-    en="“{part}”: a join or meet has an orientation, and this order gives the opposite one. From which to which does "
-    "it run?",
-    pt_BR="“{part}”: join e meet têm orientação, e nesta ordem ela sai oposta. De qual para qual ele vai?",
+FROM_BOTH_SIDES = Text(
+    en="“{part}” stands there whole. A motor acts from both sides, and each side does half of the motion: "
+    "is there a ½ to write?",
+    pt_BR="“{part}” aparece inteiro. Um motor age pelos dois lados, e cada lado faz metade do movimento: "
+    "não falta um ½?",
 )
 DOUBLE_COVER = Text(
     en="“{part}” is −M where M is asked for. Both are the same motion, the double cover; here the sign counts. "
@@ -210,8 +218,9 @@ IN_A_KIND: dict[tuple[LineKind, SlipName], Text] = {
     ("motor", "order"): OF_MOTIONS,
     ("chain", "order"): OF_MOTIONS,
     ("error", "order"): WORLD_OR_TOOL,
-    ("incidence", "order"): ORIENTED,
-    ("incidence", "argument order"): ORIENTED,
+    ("motor", "half"): FROM_BOTH_SIDES,
+    ("chain", "half"): FROM_BOTH_SIDES,
+    ("jacobian", "half"): FROM_BOTH_SIDES,
     ("incidence", "opposite"): OTHER_SIDE,
     ("motor", "opposite"): DOUBLE_COVER,
     ("chain", "opposite"): DOUBLE_COVER,

@@ -32,10 +32,10 @@ def sum_of(terms: Sequence[tuple[int, Expression]]) -> Expression:
     return reduce(lambda left, term: operation("+" if term[0] == PLUS else "-", left, term[1]), others, total)
 
 
-def factors(part: Expression, symbol: str = "*") -> list[Expression]:
+def product_factors(part: Expression, symbol: str = "*") -> list[Expression]:
     """The factors of a product; of anything else, itself."""
     if isinstance(part, Operation) and part.operator == symbol and len(part.operands) == 2:
-        return [factor for operand in part.operands for factor in factors(operand, symbol)]
+        return [factor for operand in part.operands for factor in product_factors(operand, symbol)]
     return [part]
 
 
@@ -63,7 +63,7 @@ def _counterparts(line: TypedLine) -> list[tuple[Expression, Expression]]:
             typed_alone, expected_alone = terms_of_one_side(line)
             return [(a, b) for (m, a), (n, b) in zip(typed_alone, expected_alone, strict=False) if m == n]
         case Operation("*" | ">>" as symbol), Operation(other) if symbol == other:
-            return list(zip(factors(line.root, symbol), factors(line.expected, symbol), strict=False))
+            return list(zip(product_factors(line.root, symbol), product_factors(line.expected, symbol), strict=False))
         case Operation(symbol, operands), Operation(other, expected) if symbol == other:
             return list(zip(operands, expected, strict=False))
     return []

@@ -11,7 +11,7 @@ from helicoide.console.evaluate import Budget, Scope, applied
 from helicoide.console.syntax import Expression, FunctionCall, Operation, operands_of
 from helicoide.console.values import size_of
 from helicoide.geometry.multivector import Multivector
-from helicoide.lines.equality import EXACT, Rule
+from helicoide.lines.equality import EXACT, EqualityRule
 from helicoide.lines.exercise import GivenKind, GivenName, LineKind
 from helicoide.lines.tree import all_parts, replaced, text_of, with_operands
 
@@ -48,13 +48,18 @@ class TypedLine:
     samples: tuple[Sample, ...]
     names: tuple[GivenName, ...]
     kind: LineKind
-    rule: Rule = EXACT
+    rule: EqualityRule = EXACT
     is_whole: bool = True
 
     @cached_property
     def parts(self) -> tuple[Expression, ...]:
         """Each part, before its own parts."""
         return tuple(all_parts(self.root))
+
+    @property
+    def depth(self) -> int:
+        """The depth of its nesting, 0 for a number or a name."""
+        return self.root.depth if isinstance(self.root, Operation | FunctionCall) else 0
 
     @cached_property
     def parents(self) -> dict[int, Expression]:

@@ -1,4 +1,4 @@
-"""The motion of a wrong line of an exercise beside the right one: the world's frame after each of them."""
+"""The motion of a wrong line of an exercise beside the right one: a frame beside the arm after each of them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ NAME = "line_motion"
 SHARED = False
 
 WRONG, RIGHT = ORANGE, GREEN
-LENGTH, RADIUS = 0.15, 0.004
+LENGTH, RADIUS = 0.2, 0.005
+BESIDE = -0.75  # y of the frame before the motions, as a share of the reach: free space at the arm's right
 
 
 def build(stage: Stage) -> LineMotion:
@@ -53,6 +54,6 @@ class LineMotion:
                 origin_radius=4 * RADIUS * self.stage.size,
                 origin_color=colour,
                 wxyz=rotation.from_matrix(T[:3, :3]),
-                position=T[:3, 3],
+                position=T[:3, 3] + [0.0, BESIDE * self.stage.robot.reach, LENGTH * self.stage.size],
             )
         )

@@ -42,7 +42,7 @@ SHEET = "movemaster_forward"
 WANTED = 0.5
 WITHIN, AT_REST = radians(2.0), radians(3.0)
 LEAST_WAIST, NO_SLIDE, MUCH_SLIDE = radians(20.0), 0.005, 0.060
-SAME_PLACE, SAME_TURN = 0.005, radians(2.0)
+SAME_PLACE, SAME_TURN, STILL = 0.020, radians(4.0), 0.005
 SIDE = radians(60.0)
 BELOW, FAR_ROLL, LITTLE_WAIST = -0.05, radians(150.0), radians(20.0)
 APART, NEAR, NEAR_TURN = radians(60.0), 0.015, radians(4.0)
@@ -284,7 +284,7 @@ def moved_points(state: State, seat: Seat) -> tuple[float, float] | None:
 def only_wrist_moves(state: State, seat: Seat) -> bool:
     """The last typed motor moves the wrist and leaves the elbow in place."""
     moved = moved_points(state, seat)
-    return moved is not None and moved[0] <= TINY and moved[1] > SAME_PLACE
+    return moved is not None and moved[0] <= TINY and moved[1] > STILL
 
 
 def elbow_moves(state: State, seat: Seat) -> bool:
@@ -296,7 +296,7 @@ def elbow_moves(state: State, seat: Seat) -> bool:
 def neither_moves(state: State, seat: Seat) -> bool:
     """The last typed motor leaves both in place."""
     moved = moved_points(state, seat)
-    return moved is not None and moved[0] <= TINY and moved[1] <= SAME_PLACE
+    return moved is not None and moved[0] <= TINY and moved[1] <= STILL
 
 
 def fixed(number: float | Array) -> Callable[[State, Seat], float | Array]:
@@ -410,7 +410,7 @@ STEPS = (
                 ((gate.set_joint(WAIST, radians(40.0)), 3.0), (gate.set_joint(ROLL, radians(45.0)), 3.0)),
             ),
         ),
-        shown=Shown(layers=("screw",), selection=Selection("tool")),
+        shown=Shown(layers=("screw",), camera="first", selection=Selection("tool")),
     ),
     Step("write", start, prediction=Choice(right=2), line=TURN),
     Step(
@@ -427,7 +427,7 @@ STEPS = (
                 ((gate.set_joints(np.radians([30.0, 60.0, -90.0, -30.0, 0.0])), 5.0),),
             ),
         ),
-        shown=Shown(layers=("products",), hidden=("console",), sheet=SHEET),
+        shown=Shown(layers=("products",), camera="first", hidden=("console",), sheet=SHEET),
         console=True,
     ),
     Step(
@@ -440,10 +440,10 @@ STEPS = (
             Diagnosis("right_order", right_typed, ((entered_line("h1*h2*h3*h4*h5 >> point(0.82, 0, 0.4)"), 0.1),)),
             Diagnosis("no_point", no_point_typed, ((entered_line("h5*h4*h3*h2*h1"), 0.1),)),
         ),
-        shown=Shown(layers=("console",), sheet=SHEET),
+        shown=Shown(layers=("console",), camera="first", sheet=SHEET),
         console=True,
     ),
-    Step("pen", start, line=PEN, shown=Shown(layers=("frames",))),
+    Step("pen", start, line=PEN, shown=Shown(layers=("frames",), camera="first")),
     Step(
         "sign",
         start,
@@ -459,7 +459,7 @@ STEPS = (
             ),
             Diagnosis("roll_alone", roll_alone, ((gate.set_joint(ROLL, radians(170.0)), 4.0),)),
         ),
-        shown=Shown(layers=("screw",), selection=Selection("tool")),
+        shown=Shown(layers=("screw",), camera="first", selection=Selection("tool")),
     ),
     Step(
         "halfway",
@@ -492,7 +492,7 @@ STEPS = (
         "explore",
         start,
         joints=tuple(range(5)),
-        shown=Shown(layers=("screw", "products"), selection=Selection("tool")),
+        shown=Shown(layers=("screw", "products"), camera="first", selection=Selection("tool")),
         is_open=True,
     ),
 )

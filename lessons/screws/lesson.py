@@ -311,7 +311,7 @@ STEPS = (
         "explore",
         start,
         joints=tuple(range(5)),
-        shown=Shown(layers=("axes", "screw", "twist"), selection=Selection("tool")),
+        shown=Shown(layers=("axes", "screw", "twist"), camera="first", selection=Selection("tool")),
         is_open=True,
     ),
 )

@@ -28,7 +28,7 @@ ABOUT = Text(
     pt_BR="Quatro letras e três regras; depois os pontos, retas e planos do braço, seus produtos e distâncias.",
 )
 ROBOT = "movemaster"
-NEEDS = ("drive_the_arm",)
+NEEDS = ("drive_the_arm", "sine_to_motor")
 SOURCES = (
     "Cerbaro 2022: App. F, eqs. 73–75, 98; §5.2, eqs. 16–30 and the Hodge star of §5.2.4",
     "Selig 2005, ch. 10",

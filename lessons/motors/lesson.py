@@ -30,7 +30,7 @@ ABOUT = Text(
     pt_BR="Quatérnios duais: meios ângulos, a ordem dos fatores, M e −M, e o caminho helicoidal entre duas poses.",
 )
 ROBOT = "movemaster"
-NEEDS = ("screws",)
+NEEDS = ("screws", "quaternions")
 SOURCES = (
     "Cerbaro 2022: eqs. 15, 17, 96–99, 103 (order corrected), tab. 8, App. F",
     "Kavan et al. 2008 (ScLERP)",

@@ -27,7 +27,7 @@ ABOUT = Text(
     "avanço e passo.",
 )
 ROBOT = "movemaster"
-NEEDS = ("drive_the_arm",)
+NEEDS = ("drive_the_arm", "sine_to_motor")
 SOURCES = (
     "Cerbaro 2022: tab. 8, eqs. 61, 62 (signs corrected)",
     "Coutinho 2015: eq. 2.7",

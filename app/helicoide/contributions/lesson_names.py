@@ -38,7 +38,7 @@ def name_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
     for need in lesson.needs:
         yield from _unknown("lesson", need)
     if lesson.id in (way := circle_of_needs(all_lessons())):
-        yield CIRCLE.format(way=" → ".join(way))
+        yield CIRCLE.format(way=", ".join(way))
     signals = {*signals_of(initial_state(robot)), *phase_planes()}
     for step in lesson.steps:
         for fault in (*_shown_faults(step), *_link_faults(lesson, step)):

@@ -97,7 +97,8 @@ def test_any_name_of_a_plane_is_text_in_a_new_window(lab: Lab, page: Page, brows
         tab(other, "Algebra")
         other.get_by_text("Planes", exact=True).click()
         for name in names:
-            expect(other.get_by_text(f"plane {name} ", exact=False).first).to_be_visible()
+            shown = other.get_by_text(f"plane {name} ", exact=False).and_(other.locator(":visible"))
+            expect(shown.first).to_be_visible()
         assert not other.evaluate("Boolean(window.ran) || document.querySelectorAll('img[src=x]').length > 0")
     lab.post(gate.restore_planes())
     until(page, lambda: lab.state.problem.planes.names == measured.names)

@@ -20,6 +20,9 @@ def page(shared_page: Page, lab: Lab) -> Page:
     return shared_page
 
 
+SHOWN_AT = "x => Math.abs(1000 * window.__viserMutable.nodePoseData['/target'].position[0] - x) < 0.01"
+
+
 def asked(lab: Lab) -> float:
     """The x coordinate of the target, mm; NaN without a target."""
     command = lab.state.request.command
@@ -55,6 +58,7 @@ def test_the_target_moves_in_the_steps_of_a_pendant(lab: Lab, page: Page) -> Non
         page.keyboard.press(keys)
         until(page, lambda step=step: abs(asked(lab) - start - step) < 0.01)  # type: ignore[misc]
         until(page, lambda: lab.state.request.drag is None and not lab.state.arm.moving)
+        page.wait_for_function(SHOWN_AT, arg=start + step)  # the next key moves the target from where the page has it
 
 
 def test_a_held_key_is_dead_after_a_stop_until_it_is_pressed_anew(lab: Lab, page: Page) -> None:

@@ -61,16 +61,17 @@ _WORDS: dict[Part, Text] = {
     "sine": Text(
         en="{axis} component of the direction of the screw axis, {component}, times the sine of half the angle, "
         "sin {half}° = {sine}.",
-        pt_BR="Componente {axis} da direção do eixo helicoidal, {component}, vezes o seno da metade do ângulo, "
+        pt_BR="Componente {axis} da direção do eixo helicoidal ({component}) vezes o seno da metade do ângulo: "
         "sen {half}° = {sine}.",
     ),
     "dual": Text(
-        en="Says where the axis is. It is the {axis} component of the moment of the axis (lever arm from the origin × "
-        "direction), {moment} mm, times sin {half}°, plus half the translation, {slide} mm, times the {axis} component "
-        "of the direction, {component}, times cos {half}°.",
-        pt_BR="Diz onde está o eixo. É a componente {axis} do momento do eixo (braço de alavanca desde a origem × "
-        "direção), {moment} mm, vezes sen {half}°, mais metade da translação, {slide} mm, vezes a componente {axis} da "
-        "direção, {component}, vezes cos {half}°.",
+        en="Says where the axis is. It is the {axis} component of the moment r × v of the axis, {moment} mm, times "
+        "sin {half}°, plus half the translation, {slide} mm, times the {axis} component of the direction, {component}, "
+        "times cos {half}°: together {value} m. The lever arm r leads from the origin to the axis, the unit vector v "
+        "along it.",
+        pt_BR="Diz onde está o eixo. É a componente {axis} do momento r × v do eixo ({moment} mm) vezes sen {half}°, "
+        "mais metade da translação ({slide} mm) vezes a componente {axis} da direção ({component}) vezes cos {half}°: "
+        "ao todo, {value} m. O braço de alavanca r vai da origem até o eixo; o vetor unitário v aponta ao longo dele.",
     ),
     "slide": Text(
         en="Half the translation along the axis, {slide} mm, times the sine of half the angle, sin {half}° = {sine}. "
@@ -80,10 +81,10 @@ _WORDS: dict[Part, Text] = {
     ),
 }
 ROTATED = Text(
-    en="Says where the axis is. It is the {axis} component of the moment of the axis (lever arm from the origin × "
-    "direction), {moment} mm, times sin {half}°.",
-    pt_BR="Diz onde está o eixo. É a componente {axis} do momento do eixo (braço de alavanca desde a origem × "
-    "direção), {moment} mm, vezes sen {half}°.",
+    en="Says where the axis is. It is the {axis} component of the moment r × v of the axis, {moment} mm, times "
+    "sin {half}°: {value} m. The lever arm r leads from the origin to the axis, the unit vector v along it.",
+    pt_BR="Diz onde está o eixo. É a componente {axis} do momento r × v do eixo ({moment} mm) vezes sen {half}°: "
+    "{value} m. O braço de alavanca r vai da origem até o eixo, e o vetor unitário v aponta ao longo dele.",
 )
 TRANSLATED = Text(
     en="Half the {axis} component of the translation, {way} mm: the motion does not turn.",
@@ -129,12 +130,15 @@ def _of_motor(screw: ScrewDisplacement, role: Role) -> Text:
         return TRANSLATED.format(axis=AXES[i], way=rounded_text(way, 1))
     half = float(screw.angle) / 2
     rotates = role.part == "dual" and abs(float(screw.displacement)) < NO_SLIDE
+    component, moment = float(screw.direction[i]), float(np.cross(screw.point, screw.direction)[i])
+    slide = float(screw.displacement) / 2
     return (ROTATED if rotates else _WORDS[role.part]).format(
         axis=AXES[i],
         half=rounded_text(float(np.degrees(half)), 2),
         angle=rounded_text(float(np.degrees(2 * half)), 2),
         sine=rounded_text(float(np.sin(half)), 3),
-        component=rounded_text(float(screw.direction[i]), 3),
-        moment=rounded_text(1000 * float(np.cross(screw.point, screw.direction)[i]), 1),
-        slide=rounded_text(500 * float(screw.displacement), 1),
+        component=rounded_text(component, 3),
+        moment=rounded_text(1000 * moment, 1),
+        slide=rounded_text(1000 * slide, 1),
+        value=rounded_text(moment * float(np.sin(half)) + slide * component * float(np.cos(half)), 3),
     )

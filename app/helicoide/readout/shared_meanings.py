@@ -41,19 +41,19 @@ TOGETHER: dict[Part, Text] = {
         "sen {half}° = {sine}.",
     ),
     "dual": Text(
-        en="They say where the axis is: components {axes} of the moment of the axis (lever arm from the origin × "
-        "direction), ({moment}) mm, times sin {half}°, plus half the translation, {slide} mm, times those of the "
-        "direction, ({direction}), times cos {half}°.",
-        pt_BR="Dizem onde está o eixo: componentes {axes} do momento do eixo (braço de alavanca desde a origem × "
-        "direção), ({moment}) mm, vezes sen {half}°, mais metade da translação, {slide} mm, vezes as da direção, "
-        "({direction}), vezes cos {half}°.",
+        en="They say where the axis is: components {axes} of the moment r × v of the axis, ({moment}) mm, times "
+        "sin {half}°, plus half the translation, {slide} mm, times those of the direction v, ({direction}), times "
+        "cos {half}°. The lever arm r leads from the origin to the axis.",
+        pt_BR="Dizem onde está o eixo: componentes {axes} do momento r × v do eixo, ({moment}) mm, vezes sen {half}°, "
+        "mais metade da translação, {slide} mm, vezes as da direção v, ({direction}), vezes cos {half}°. O braço de "
+        "alavanca r vai da origem até o eixo.",
     ),
 }
 ROTATED_TOGETHER = Text(
-    en="They say where the axis is: components {axes} of the moment of the axis (lever arm from the origin × "
-    "direction), ({moment}) mm, times sin {half}°.",
-    pt_BR="Dizem onde está o eixo: componentes {axes} do momento do eixo (braço de alavanca desde a origem × direção), "
-    "({moment}) mm, vezes sen {half}°.",
+    en="They say where the axis is: components {axes} of the moment r × v of the axis, ({moment}) mm, times "
+    "sin {half}°. The lever arm r leads from the origin to the axis, the unit vector v along it.",
+    pt_BR="Dizem onde está o eixo: componentes {axes} do momento r × v do eixo, ({moment}) mm, vezes sen {half}°. O "
+    "braço de alavanca r vai da origem até o eixo; o vetor unitário v aponta ao longo dele.",
 )
 TRANSLATED_TOGETHER = Text(
     en="Half the components {axes} of the translation, ({way}) mm: the motion does not turn.",

@@ -29,7 +29,9 @@ COPIED = Text(en="Copied", pt_BR="Copiado")
 CHANGE = Text(en="Change it", pt_BR="Mudar")
 JOINT = Text(en="Joint value", pt_BR="Valor da junta")
 SET = Text(en="Set", pt_BR="Aplicar")
-NEW_VALUE = Text(en="New value of {blade} [{unit}]", pt_BR="Novo valor de {blade} [{unit}]")
+NEW_VALUE = Text(en="New value of {blade}", pt_BR="Novo valor de {blade}")
+NEW_LENGTH = Text(en="New value of {blade} [m]", pt_BR="Novo valor de {blade} [m]")
+NEW_SCALAR = Text(en="New value of the scalar", pt_BR="Novo valor do escalar")
 JOINT_VALUE = Text(en="New value of joint {n} [{unit}]", pt_BR="Novo valor da junta {n} [{unit}]")
 NO_NUMBER = Text(en="Enter one number, such as 0.25.", pt_BR="Digite um número, como 0,25.")
 FIRST_A_COEFFICIENT = Text(
@@ -141,7 +143,9 @@ def chosen_coefficient(view: View) -> tuple[Element, Coefficient] | None:
 def _meaning(view: View) -> Markup:
     chosen = chosen_coefficient(view)
     if chosen is None:
-        return Markup("")
+        element = inspected(view)
+        is_motor = element is not None and element.nature == "motor"
+        return html.note(readout.INTRODUCTION[view.seat.language]) if is_motor else Markup("")
     element, one = chosen
     said = readout.meaning(element.nature, element.values(view.state), one.blade, one.sign)
     return Markup('<p class="helicoide-note helicoide-meaning"><b>{}</b> {}</p>').format(
@@ -194,7 +198,7 @@ def _coefficient_entry(selection: Selection, blade: str, notation: Notation) -> 
     (one,) = (one for one in readout.coefficients(nature, notation) if one.blade == blade)
     role = readout.role_of(nature, blade)
     metres = role is not None and role.part in ("dual", "slide", "offset", "coordinate")
-    label = NEW_VALUE.format(blade=blade_words(one.name), unit="m" if metres else "1")
+    label = NEW_SCALAR if one.name == "1" else (NEW_LENGTH if metres else NEW_VALUE).format(blade=blade_words(one.name))
     return TextEntry(
         label,
         lambda _: "",

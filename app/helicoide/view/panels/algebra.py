@@ -36,12 +36,12 @@ ICON = Icon.MATH_FUNCTION
 INTRODUCTION: dict[ShownAlgebra, Text] = {
     "Cl(0,3,1)": Text(
         en="All values are multivectors of Cl(0,3,1): e₁, e₂ and e₃ square to −1, {null} to 0. Lengths are in metres.",
-        pt_BR="Todos os valores são multivetores de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador {null}, 0. "
+        pt_BR="Todos os valores são multivetores de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1, e {null} tem quadrado 0. "
         "Comprimentos em metros.",
     ),
     "Cl(3,0,1)": Text(
         en="All values are multivectors of Cl(3,0,1): e₁, e₂ and e₃ square to 1, {null} to 0. Lengths are in metres.",
-        pt_BR="Todos os valores são multivetores de Cl(3,0,1): e₁, e₂ e e₃ têm quadrado 1; o gerador {null}, 0. "
+        pt_BR="Todos os valores são multivetores de Cl(3,0,1): e₁, e₂ e e₃ têm quadrado 1, e {null} tem quadrado 0. "
         "Comprimentos em metros.",
     ),
 }

@@ -65,7 +65,7 @@ MISTAKES: dict[str, tuple[Kind, str, str, str, list[str]]] = {
     "no wrong path": ("lesson", "lesson.py", "((gate.set_joint(ELBOW, -ANGLE), 3.0),)),", "()),", ["no wrong path"]),
     "another mistake": ("lesson", "lesson.py", "ELBOW, -ANGLE", "ELBOW, 0.5 * ANGLE", ["does not lead to it"]),
     "no mistake": ("lesson", "lesson.py", "ELBOW, -ANGLE", "ELBOW, ANGLE", ["wrong path reaches the goal"]),
-    "mistaken at once": ("lesson", "lesson.py", "q[ELBOW] < -WITHIN", "q[ELBOW] < ANGLE", ["applies before anything"]),
+    "mistaken at once": ("lesson", "lesson.py", "q[ELBOW] < -WITHIN", "q[ELBOW] < 9.0", ["applies before anything"]),
     "no such layer": ("lesson", "en.md", "the whole arm", "[the arm](layer:nowhere)", ["no layer 'nowhere'"]),
     "no such address": ("lesson", "en.md", "the whole arm", "[the arm](somewhere)", ["a link is https://"]),
     "no such signal": ("lesson", "lesson.py", "joints=(0, 1, 2)", 'charts=("speed_of_light",)', ["no signal"]),

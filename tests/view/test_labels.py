@@ -10,11 +10,12 @@ from typing import Any
 import pytest
 from tests.view.test_units import states
 
+from helicoide import lesson
 from helicoide.kinematics.library import load_robot
 from helicoide.seat import Seat
 from helicoide.text import LANGUAGES, Text, sentence_case
 from helicoide.view import layers, panels
-from helicoide.view.panels.lesson import step_rows
+from helicoide.view.docked import lesson_rows
 from helicoide.view.rows import DependentRows, Folder
 from helicoide.view.top_rows import top_rows
 from helicoide.view.window_view import View
@@ -38,11 +39,16 @@ def test_every_label_begins_with_a_capital(name: str) -> None:
     robot = load_robot(name)
     seat = Seat("", "en", visible_layers=MappingProxyType({layer.NAME: True for layer in layers.optional()}))
     rows = [row for panel in panels.all_panels() for row in panel.rows(robot)]
-    every = [*rows, *top_rows(), *step_rows(robot, ())]
+    seats = [(seat, [*rows, *top_rows()])]
+    for found in (one for one in lesson.all_lessons() if one.robot == name):
+        for number in range(len(found.steps) + 1):
+            opened = lesson.turned_to(found, lesson.entered(seat, found.id), number)
+            seats.append((opened, lesson_rows(robot, opened)))
     small = {
         label[language]
         for state in states(robot)
-        for label in labels(every, View(state, seat))
+        for one, every in seats
+        for label in labels(every, View(state, one))
         for language in LANGUAGES
         if SMALL.match(label[language])
     }

@@ -14,7 +14,7 @@ from helicoide.view.window_view import LineCheck, View
 
 ASKED = Text(en="Type {kind}. Names:", pt_BR="Digite {kind}. Nomes:")
 CHECK = Text(en="Check line", pt_BR="Conferir linha")
-LINE = Text(en="your line", pt_BR="sua linha")
+LINE = Text(en="Your line", pt_BR="Sua linha")
 ACCEPTED = Text(en="Accepted: equal for all values.", pt_BR="Aceita: igual para todos os valores.")
 GHOSTS = Text(
     en="In the scene, the motion of your line is orange, the right one green.",

@@ -20,9 +20,9 @@ from helicoide.view.rows import Button, HtmlRow, Row, TextEntry, VectorRow
 from helicoide.view.window_view import View
 
 PREDICTION, ANSWER = Text(en="Prediction", pt_BR="Previsão"), Text(en="Answer", pt_BR="Responder")
-ESTIMATE = Text(en="your estimate", pt_BR="sua estimativa")
-ESTIMATE_IN = Text(en="your estimate [{unit}]", pt_BR="sua estimativa [{unit}]")
-MARKED = Text(en="marked point [mm]", pt_BR="ponto marcado [mm]")
+ESTIMATE = Text(en="Your estimate", pt_BR="Sua estimativa")
+ESTIMATE_IN = Text(en="Your estimate [{unit}]", pt_BR="Sua estimativa [{unit}]")
+MARKED = Text(en="Marked point [mm]", pt_BR="Ponto marcado [mm]")
 POINT = untranslated("({numbers}) mm")
 YOURS = Text(en="Your answer: {given}.", pt_BR="Sua resposta: {given}.")
 RIGHT = Text(en="Your prediction was right.", pt_BR="Sua previsão estava certa.")

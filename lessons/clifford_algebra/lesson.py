@@ -268,9 +268,9 @@ def fixed(number: float) -> Callable[[State, Seat], float]:
     return lambda state, seat: number
 
 
-def constant(value: Multivector, decimals: int = 0) -> Value:
+def constant(value: Callable[[], Multivector], decimals: int = 0) -> Value:
     """A multivector that does not change."""
-    return Value(lambda state, seat: value, decimals=decimals)
+    return Value(lambda state, seat: value(), decimals=decimals)
 
 
 def element(read: Callable[[State], Array]) -> Value:
@@ -279,11 +279,11 @@ def element(read: Callable[[State], Array]) -> Value:
 
 
 VALUES = {
-    "one": constant(E1 * E1),
-    "nothing": constant(E * E),
-    "swapped": constant(E2 * E1),
-    "e1e2_squared": constant(E1 * E2 * E1 * E2),
-    "e1e2e1": constant(E1 * E2 * E1),
+    "one": constant(lambda: E1 * E1),
+    "nothing": constant(lambda: E * E),
+    "swapped": constant(lambda: E2 * E1),
+    "e1e2_squared": constant(lambda: E1 * E2 * E1 * E2),
+    "e1e2e1": constant(lambda: E1 * E2 * E1),
     "letters": Value(fixed(len(CL031.squares)), decimals=0),
     "blades": Value(fixed(CL031.count), decimals=0),
     "by_grade": Value(lambda state, seat: np.bincount(CL031.grades).astype(float), decimals=0),
@@ -293,13 +293,13 @@ VALUES = {
     "shoulder_axis": element(shoulder_line),
     "quarter": Value(fixed(QUARTER), "°"),
     "half": Value(fixed(QUARTER / 2), "°"),
-    "e3_turned": constant(rotor(E3E1, QUARTER) >> E3),
-    "e3_other": constant(rotor(-E3E1, QUARTER) >> E3),
-    "e3_whole": constant(rotor(E3E1, 2 * QUARTER) >> E3),
-    "star_e1": constant(E1.dual()),
-    "star_e2": constant(E2.dual()),
-    "e2_star": constant(E2 * E2.dual()),
-    "e2_other": constant(E2 * -E2.dual()),
+    "e3_turned": constant(lambda: rotor(E3E1, QUARTER) >> E3),
+    "e3_other": constant(lambda: rotor(-E3E1, QUARTER) >> E3),
+    "e3_whole": constant(lambda: rotor(E3E1, 2 * QUARTER) >> E3),
+    "star_e1": constant(lambda: E1.dual()),
+    "star_e2": constant(lambda: E2.dual()),
+    "e2_star": constant(lambda: E2 * E2.dual()),
+    "e2_other": constant(lambda: E2 * -E2.dual()),
     "tool": element(lambda state: point(state, TOOL_POINT)),
     "raised": Value(fixed(RAISED), "mm"),
     "height": Value(lambda state, _: state.T_world_tool[2, 3], "mm"),

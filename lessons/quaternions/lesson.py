@@ -48,8 +48,12 @@ def about_z(angle: float) -> Array:
 
 
 ONE, ALONG_I, ALONG_J, ALONG_K = np.eye(4)
-ASKED = rotation.multiply(about_z(QUARTER), rotation.from_axis_angle([1.0, 0.0, 0.0], -QUARTER))
 WAY_END, FAR_END, WANTED = about_z(WAY), about_z(FAR), about_z(QUARTER)
+
+
+def asked() -> Array:
+    """The quaternion that a reader turns the body by: a quarter turn about x backwards, then one about z."""
+    return rotation.multiply(WANTED, rotation.from_axis_angle([1.0, 0.0, 0.0], -QUARTER))
 
 
 def start(state: State) -> State:
@@ -86,9 +90,9 @@ def has_no_scalar(state: State, seat: Seat) -> bool:
     return not state.arm.moving and bool(abs(quaternion(state, seat)[0]) <= NEAR)
 
 
-def is_turned_as(wanted: Array) -> Callable[[State, Seat], bool]:
+def is_turned_as(wanted: Callable[[], Array]) -> Callable[[State, Seat], bool]:
     """A goal or a diagnosis: the body rests with the rotation of a quaternion; its sign does not count."""
-    return lambda state, seat: not state.arm.moving and bool(abs(quaternion(state, seat) @ wanted) >= cos(NEAR_ANGLE))
+    return lambda state, seat: not state.arm.moving and bool(abs(quaternion(state, seat) @ wanted()) >= cos(NEAR_ANGLE))
 
 
 def is_itself_again(state: State, seat: Seat) -> bool:
@@ -142,9 +146,9 @@ def typeset(read: Callable[[State, Seat], Array]) -> Callable[[State, Seat], Mul
     return lambda state, seat: Multivector(read(state, seat), QUATERNIONS)
 
 
-def fixed(q: Array, decimals: int = 2) -> Value:
+def fixed(q: Callable[[], Array], decimals: int = 2) -> Value:
     """A quaternion that does not change, as a sum."""
-    return Value(lambda state, seat: Multivector(q, QUATERNIONS), decimals=decimals)
+    return Value(lambda state, seat: Multivector(q(), QUATERNIONS), decimals=decimals)
 
 
 def number(value: float, unit: str = "", decimals: int | None = None) -> Value:
@@ -154,7 +158,7 @@ def number(value: float, unit: str = "", decimals: int | None = None) -> Value:
 
 def sandwiched(v: Array) -> Array:
     """A vector, as a quaternion, turned by the quaternion that is asked for."""
-    return np.asarray([0.0, *rotation.rotate(ASKED, v[1:])])
+    return np.asarray([0.0, *rotation.rotate(asked(), v[1:])])
 
 
 def lerp_angle() -> float:
@@ -172,19 +176,19 @@ VALUES = {
     "w": Value(lambda state, seat: quaternion(state, seat)[0]),
     "angle_z": Value(lambda state, _: state.arm.q[ABOUT_Z], "°"),
     "quarter": number(QUARTER, "°"),
-    "quarter_q": fixed(WANTED),
+    "quarter_q": fixed(lambda: WANTED),
     "eighth": number(QUARTER / 2, "°"),
-    "left_i": fixed(rotation.multiply(WANTED, ALONG_I)),
-    "left_k": fixed(rotation.multiply(WANTED, ALONG_K)),
-    "asked": fixed(ASKED),
-    "to_i": fixed(sandwiched(ALONG_I), decimals=0),
-    "to_j": fixed(sandwiched(ALONG_J), decimals=0),
-    "to_k": fixed(sandwiched(ALONG_K), decimals=0),
+    "left_i": fixed(lambda: rotation.multiply(WANTED, ALONG_I)),
+    "left_k": fixed(lambda: rotation.multiply(WANTED, ALONG_K)),
+    "asked": fixed(asked),
+    "to_i": fixed(lambda: sandwiched(ALONG_I), decimals=0),
+    "to_j": fixed(lambda: sandwiched(ALONG_J), decimals=0),
+    "to_k": fixed(lambda: sandwiched(ALONG_K), decimals=0),
     "turn": number(TURN, "°"),
     "two_turns": number(2 * TURN, "°"),
     "half_turn": number(HALF_TURN, "°"),
     "way": number(WAY, "°"),
-    "way_q": fixed(WAY_END),
+    "way_q": fixed(lambda: WAY_END),
     "part": number(PART),
     "slerp_angle": number(slerp_angle(), "°"),
     "lerp_angle": number(lerp_angle(), "°"),
@@ -192,8 +196,8 @@ VALUES = {
     "lerp_length": number(float(np.linalg.norm(lerp(ONE, WAY_END, 0.5)))),
     "far": number(FAR, "°"),
     "short": number(TURN - FAR, "°"),
-    "far_q": fixed(FAR_END),
-    "minus_far_q": fixed(-FAR_END),
+    "far_q": fixed(lambda: FAR_END),
+    "minus_far_q": fixed(lambda: -FAR_END),
     "far_dot": number(float(ONE @ FAR_END)),
     "long_middle": number(FAR / 2, "°"),
     "short_middle": number((FAR - TURN) / 2, "°"),
@@ -250,12 +254,14 @@ STEPS = (
     Step(
         "sandwich",
         start,
-        is_turned_as(ASKED),
+        is_turned_as(asked),
         ((gate.set_joint(ABOUT_Z, QUARTER), 2.0), (gate.set_joint(ABOUT_X, -QUARTER), 2.0)),
         joints=(ABOUT_Z, ABOUT_Y, ABOUT_X),
         prediction=Choice(right=1),
         diagnoses=(
-            Diagnosis("inverse", is_turned_as(rotation.conjugate(ASKED)), ((turned(y=QUARTER, x=QUARTER), 3.0),)),
+            Diagnosis(
+                "inverse", is_turned_as(lambda: rotation.conjugate(asked())), ((turned(y=QUARTER, x=QUARTER), 3.0),)
+            ),
             Diagnosis("one_turn", rests_at(QUARTER), z_to(QUARTER)),
         ),
         shown=Shown(camera="first"),

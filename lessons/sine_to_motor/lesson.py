@@ -181,7 +181,11 @@ def product(*motors: Array) -> Multivector:
 
 TURN_Z, TURN_X = rigid.rotor(Z_AXIS, QUARTER), rigid.rotor(X_AXIS, QUARTER)
 SHIFT_X = rigid.translator(SHIFT * X_AXIS)
-WANTED = product(rigid.translator(SHIFT * Z_AXIS), rigid.rotor(X_AXIS, TILT))
+
+
+def wanted() -> Multivector:
+    """The motor that a reader brings the body to: a turn about x, then a shift along z."""
+    return product(rigid.translator(SHIFT * Z_AXIS), rigid.rotor(X_AXIS, TILT))
 
 
 def motor(state: State, seat: Seat) -> Multivector:
@@ -192,7 +196,7 @@ def motor(state: State, seat: Seat) -> Multivector:
 def motor_is_wanted(state: State, seat: Seat) -> bool:
     """The motor of the body is the wanted one, or its negative."""
     now = motor(state, seat).values
-    away = min(np.linalg.norm(now - sign * WANTED.values) for sign in (1.0, -1.0))
+    away = min(np.linalg.norm(now - sign * wanted().values) for sign in (1.0, -1.0))
     return not state.arm.moving and bool(away <= NEAR)
 
 
@@ -211,6 +215,11 @@ def raised(height: float, about_x: float) -> Update:
 def fixed(value: float | Array | Multivector) -> Callable[[State, Seat], float | Array | Multivector]:
     """A value that does not change."""
     return lambda state, seat: value
+
+
+def computed(value: Callable[[], Multivector], decimals: int | None = None) -> Value:
+    """A multivector that does not change, computed when it is shown: products need the kernels."""
+    return Value(lambda state, seat: value(), decimals=decimals)
 
 
 VALUES = {
@@ -232,24 +241,24 @@ VALUES = {
     "scalar": Value(lambda state, seat: motor(state, seat)["1"]),
     "quarter": Value(fixed(QUARTER), "°"),
     "eighth": Value(fixed(QUARTER / 2), "°"),
-    "quarter_rotor": Value(fixed(product(TURN_Z)), decimals=2),
+    "quarter_rotor": computed(lambda: product(TURN_Z), decimals=2),
     "tried": Value(fixed(TRIED), "°"),
     "half_tried": Value(fixed(TRIED / 2), "°"),
     "tried_scalar": Value(fixed(cos(TRIED / 2)), decimals=1),
     "tilt": Value(fixed(TILT), "°"),
     "half_tilt": Value(fixed(TILT / 2), "°"),
-    "tilt_rotor": Value(fixed(product(rigid.rotor(Y_AXIS, TILT))), decimals=2),
-    "z_then_x": Value(fixed(product(TURN_Z, TURN_X)), decimals=2),
-    "x_then_z": Value(fixed(product(TURN_X, TURN_Z)), decimals=2),
+    "tilt_rotor": computed(lambda: product(rigid.rotor(Y_AXIS, TILT)), decimals=2),
+    "z_then_x": computed(lambda: product(TURN_Z, TURN_X), decimals=2),
+    "x_then_z": computed(lambda: product(TURN_X, TURN_Z), decimals=2),
     "shift": Value(fixed(SHIFT), "mm"),
     "half_shift": Value(fixed(SHIFT / 2), "mm"),
     "shift_m": Value(fixed(SHIFT), "m", 1),
     "half_shift_m": Value(fixed(SHIFT / 2), decimals=1),
-    "shift_y": Value(fixed(product(rigid.translator(SHIFT * Y_AXIS))), decimals=2),
-    "shift_turned": Value(fixed(product(SHIFT_X, TURN_Z)), decimals=2),
-    "turn_shifted": Value(fixed(product(TURN_Z, SHIFT_X)), decimals=2),
-    "wanted": Value(fixed(WANTED)),
-    "half_length": Value(fixed(float(np.linalg.norm(rigid.null_part(WANTED.values)))), decimals=1),
+    "shift_y": computed(lambda: product(rigid.translator(SHIFT * Y_AXIS)), decimals=2),
+    "shift_turned": computed(lambda: product(SHIFT_X, TURN_Z), decimals=2),
+    "turn_shifted": computed(lambda: product(TURN_Z, SHIFT_X), decimals=2),
+    "wanted": computed(wanted),
+    "half_length": Value(lambda state, _: float(np.linalg.norm(rigid.null_part(wanted().values))), decimals=1),
     "now": Value(motor),
 }
 

@@ -153,8 +153,8 @@ COUNTED = Text(
     pt_BR="Posturas: {n}; ombro à esquerda ou à direita, cotovelo para cima ou para baixo, punho virado ou não.",
 )
 OUTSIDE = Text(
-    en="Out of reach by {short:.3g} mm, in any orientation.",
-    pt_BR="Fora do alcance por {short:.3g} mm, em qualquer orientação.",
+    en="Out of reach by {short:.1f} mm, in any orientation.",
+    pt_BR="Fora do alcance por {short:.1f} mm, em qualquer orientação.",
 )
 TURNED = Text(
     en="The end effector reaches this position, but not in this orientation.",

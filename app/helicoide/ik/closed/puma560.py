@@ -181,8 +181,8 @@ FREE_WORDS = {
     ),
 }
 OUTSIDE = Text(
-    en="Out of reach by {short:.3g} mm: the wrist centre reaches {inner:.4g} … {outer:.4g} mm from the shoulder in "
-    "the plane of the arm, and at least {side:.4g} mm from the waist axis.",
-    pt_BR="Fora do alcance por {short:.3g} mm: o centro do punho alcança de {inner:.4g} a {outer:.4g} mm do ombro, no "
-    "plano do braço, e no mínimo {side:.4g} mm do eixo da cintura.",
+    en="Out of reach by {short:.1f} mm: the wrist centre reaches {inner:.1f} … {outer:.1f} mm from the shoulder in "
+    "the plane of the arm, and at least {side:.1f} mm from the waist axis.",
+    pt_BR="Fora do alcance por {short:.1f} mm: o centro do punho alcança de {inner:.1f} a {outer:.1f} mm do ombro, no "
+    "plano do braço, e no mínimo {side:.1f} mm do eixo da cintura.",
 )

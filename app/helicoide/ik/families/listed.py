@@ -19,7 +19,7 @@ Steps = tuple[Array, Mapping[str, float]]
 MERGED, LOWERED = 1e-6, "₁₂₃₄₅₆"  # postures that differ by less than this in every joint are equal, rad
 
 COUNTED = Text(en="Postures: {n}.", pt_BR="Posturas: {n}.")
-OUTSIDE = Text(en="Out of reach by {short:.3g} mm.", pt_BR="Fora do alcance por {short:.3g} mm.")
+OUTSIDE = Text(en="Out of reach by {short:.1f} mm.", pt_BR="Fora do alcance por {short:.1f} mm.")
 
 
 def distinct_branches(

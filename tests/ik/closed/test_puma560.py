@@ -243,7 +243,7 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
         )
         assert (len(answer.branches) == 0) == (answer.short > 0) == ("Out of reach" in answer.words.en)
         assert answer.short == pytest.approx(by_search.short, abs=1e-8)
-        assert (untranslated("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
+        assert (untranslated("{short:.1f} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
             answer.short > 0
         )
 

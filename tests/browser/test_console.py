@@ -92,7 +92,7 @@ def test_three_expressions_follow_a_joint_in_numbers_and_in_the_scene(lab: Lab, 
 
 def test_a_new_name_becomes_a_slider_that_moves_the_geometry(lab: Lab, page: Page) -> None:
     enter(lab, page, "exp(0.5*phi*L1) >> tool")
-    slider = page.locator(".mantine-Slider-thumb").last
+    slider = page.locator(".mantine-Slider-thumb:visible").last
     page.get_by_text("phi", exact=True).wait_for()
     start = drawn(page, "/console/0/point")
     slider.focus()

@@ -23,7 +23,6 @@ from helicoide.view import link
 from helicoide.view.top_rows import with_dark, with_projector
 
 FOLDER = content.STATIC / "pictures"
-COLOURS = 256
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 LOCALES = {"en": "en-US", "pt_BR": "pt-BR"}
 # Words on the page that no picture may show: notifications, refusals, errors, and what is still being computed.
@@ -50,8 +49,7 @@ def photograph(page: Page, path: Path) -> None:
     flaws += page.evaluate(FLAWS)
     if flaws:
         raise UnfitPictureError(f"{path.name} is not taken, since the page shows: {'; '.join(dict.fromkeys(flaws))}")
-    image = Image.open(io.BytesIO(shot)).convert("RGB")
-    image.quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(path, optimize=True)
+    sheet.save_light(Image.open(io.BytesIO(shot)).convert("RGB"), path)
 
 
 def take(lab: Lab, browser: Browser, picture: Picture) -> None:

@@ -23,6 +23,7 @@ from helicoide.view.shapes import Shape
 PICTURE = content.STATIC / "pictures" / "robots.png"
 COLUMNS, CELL, LABEL = 4, 250, 26
 NEAR, TITLE_SIZE = 1.0, 15
+COLOURS = 256
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 THERE = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name])"
 SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"
@@ -107,7 +108,12 @@ def main() -> None:
         taken = {name: picture(lab, page, name) for name in names()}
         chromium.close()
     lab.session.close()
-    sheet(taken).save(PICTURE, optimize=True)
+    save_light(sheet(taken), PICTURE)
+
+
+def save_light(image: Image.Image, path: Path) -> None:
+    """Save a picture as PNG with few colours, which keeps the file small."""
+    image.quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def cells(path: Path = PICTURE) -> dict[str, Array]:

@@ -115,8 +115,8 @@ def test_a_phase_plane_is_a_figure_and_two_methods_share_a_chart(lab: Lab, page:
     choose(page, "Signals", "Errors")
     move(lab, page)
     legend = page.locator(".uplot .u-legend").first
-    expect(legend.get_by_text("e_p, damped least squares")).to_be_visible()
-    expect(legend.get_by_text("e_p, filtered inverse")).to_be_visible()
+    expect(legend.get_by_text("eₚ, damped least squares")).to_be_visible()
+    expect(legend.get_by_text("eₚ, filtered inverse")).to_be_visible()
 
 
 def test_a_number_of_the_loop_adds_its_signal_to_the_charts(lab: Lab, page: Page) -> None:

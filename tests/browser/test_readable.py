@@ -111,4 +111,4 @@ def test_what_a_lesson_needs_is_in_view_without_scrolling(lab: Lab, browser: Bro
         tab(page, "Lesson")
         page.get_by_role("combobox").nth(1).click()
         page.get_by_role("option", name="Explore freely").click()
-        expect(page.locator(".helicoide-lesson")).to_have_count(0)
+        expect(page.locator(".helicoide-lesson h3")).to_have_count(0)

@@ -174,9 +174,8 @@ def test_both_algebras_and_both_names_of_blades(lab: Lab, page: Page) -> None:
 def test_why_this_number_and_the_joint_of_a_term(lab: Lab, page: Page) -> None:
     inspect(lab, page, Selection("tool"), "e1e")
     page.get_by_text("Why this number", exact=True).click()
-    terms = page.locator(".helicoide-terms li")
-    until(page, lambda: terms.count() > 2)
-    assert "sin(θ₂/2)" in page.locator(".helicoide-terms").inner_text()
+    terms = page.locator(".helicoide-terms")
+    until(page, lambda: terms.locator("li").count() > 2 and "sin(θ₂/2)" in terms.inner_text())
     choose(page, "Highlight a joint", "joint 2 (shoulder)")
     until(page, lambda: bool(page.evaluate(VISIBLE, "/lit/joint")))
     page.get_by_text("Why this number", exact=True).click()

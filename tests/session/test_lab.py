@@ -124,6 +124,22 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     assert eventually(lambda: state(lab).robot.name == "movemaster")
 
 
+def test_a_lesson_is_left_whose_arm_was_gone_before_it_was_drawn(lab: Lab, hand: Hand) -> None:
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    display, (visitor,) = put_up(lab), lab.visitors.values()
+    assert eventually(lambda: display._drawn[0] is not None and display._drawn[0].name == "planar2r")
+    asyncio.run_coroutine_threadsafe(display._putting_up.acquire(), lab.loop).result()
+    hand.do(hand.page.give("Lesson", lesson.load_lesson("drive_the_arm").title.en))
+    assert eventually(lambda: state(lab).robot.name == "movemaster")
+    assert visitor.place.seat.lesson == "drive_the_arm"
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    assert eventually(lambda: state(lab).robot.name == "planar2r")
+    lab.loop.call_soon_threadsafe(display._putting_up.release)
+    assert eventually(lambda: visitor.place.seat.lesson is None)
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
+    assert eventually(lambda: state(lab).robot.name == "movemaster")
+
+
 def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
     lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch
 ) -> None:

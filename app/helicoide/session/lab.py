@@ -161,6 +161,7 @@ class Lab:
     def _judge(self) -> None:
         """Judge the steps of the lessons, also those that wait while all arms are at rest."""
         for visitor in self.visitors.values():
+            self.requests.steps.check(visitor)
             visitor.judge()
         self.loop.call_later(JUDGED, self._judge)
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from helicoide import lesson
 from helicoide.seat import LessonProgress, Seat
 from helicoide.session.bay import Bays
+from helicoide.session.lessons import is_about
 from helicoide.session.step_setup import StepSetup
 from helicoide.session.visitor import Visitor
 from helicoide.view import panels
@@ -56,6 +57,12 @@ class LessonSteps:
         chosen = lesson_of(visitor.place.seat)
         if chosen is not None and chosen.robot == visitor.bay.workcell.state.robot.name:
             self._set_up(visitor)
+
+    def check(self, visitor: Visitor) -> None:
+        """Leave a lesson whose robot was there so briefly that no frame showed it, so that `meet` was not called."""
+        bay = self.bays.of(visitor.place)
+        if bay is visitor.bay and not is_about(visitor.place.seat, (bay.workcell.state.robot.name, bay.arms.wanted)):
+            visitor.meet()
 
     def settled(self, visitor: Visitor) -> None:
         """A visitor has moved to another workcell, where the robot of its lesson may have arrived before it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,9 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Keep a sample of the tests, or give them more examples."""
+    """Keep a sample of the tests, or give them more examples. Files that take long come first: no processor waits."""
+    in_file = Counter(item.path for item in items)
+    items.sort(key=lambda item: (item.get_closest_marker("compiles") is None, -in_file[item.path], item.path))
     if most := config.getoption("sample"):
         kept = sampled(items, most)
         config.stash[SAMPLE] = len(kept), len(items)

@@ -18,7 +18,7 @@ CODE: Parts = {
     "format": ["ruff", "format", "--check"],
     "types": ["mypy", "--strict", "app", "lessons", "robots"],
 }
-PYTEST = ["pytest", "-n", "2", "--dist", "loadfile"]
+PYTEST = ["pytest", "-n", "2", "--dist", "loadfile", "--no-loadscope-reorder"]  # in the order of conftest.py
 NO_TEST_CHOSEN = 5  # the exit code of pytest if its arguments select no test
 
 

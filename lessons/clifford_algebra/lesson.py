@@ -15,7 +15,7 @@ from helicoide.console import example_sheets, sheet_results
 from helicoide.geometry import incidence, rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
-from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Shown, Solution, Step, StepGoal, Value
+from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Shown, Solution, Step, StepGoal, Value, fixed
 from helicoide.lines import GivenName, LineExercise
 from helicoide.readout import distance_product, plane_distances
 from helicoide.seat import Seat, Selection
@@ -263,47 +263,37 @@ def ceiling_tilted(state: State, seat: Seat) -> bool:
     return ceiling_tilt(state) >= TILTED
 
 
-def fixed(number: float) -> Callable[[State, Seat], float]:
-    """A value that does not change."""
-    return lambda state, seat: number
-
-
-def constant(value: Callable[[], Multivector], decimals: int = 0) -> Value:
-    """A multivector that does not change."""
-    return Value(lambda state, seat: value(), decimals=decimals)
-
-
 def element(read: Callable[[State], Array]) -> Value:
     """A multivector of the scene."""
     return Value(lambda state, seat: Multivector(read(state), CL031))
 
 
 VALUES = {
-    "one": constant(lambda: E1 * E1),
-    "nothing": constant(lambda: E * E),
-    "swapped": constant(lambda: E2 * E1),
-    "e1e2_squared": constant(lambda: E1 * E2 * E1 * E2),
-    "e1e2e1": constant(lambda: E1 * E2 * E1),
-    "letters": Value(fixed(len(CL031.squares)), decimals=0),
-    "blades": Value(fixed(CL031.count), decimals=0),
+    "one": fixed(lambda: E1 * E1, decimals=0),
+    "nothing": fixed(lambda: E * E, decimals=0),
+    "swapped": fixed(lambda: E2 * E1, decimals=0),
+    "e1e2_squared": fixed(lambda: E1 * E2 * E1 * E2, decimals=0),
+    "e1e2e1": fixed(lambda: E1 * E2 * E1, decimals=0),
+    "letters": fixed(len(CL031.squares), decimals=0),
+    "blades": fixed(CL031.count, decimals=0),
     "by_grade": Value(lambda state, seat: np.bincount(CL031.grades).astype(float), decimals=0),
-    "lifted": Value(fixed(LIFTED), "°"),
+    "lifted": fixed(LIFTED, "°"),
     "shoulder_ready": Value(lambda state, _: state.robot.poses["ready"][SHOULDER], "°"),
     "shoulder": Value(lambda state, _: state.arm.q[SHOULDER], "°"),
     "shoulder_axis": element(shoulder_line),
-    "quarter": Value(fixed(QUARTER), "°"),
-    "half": Value(fixed(QUARTER / 2), "°"),
-    "e3_turned": constant(lambda: rotor(E3E1, QUARTER) >> E3),
-    "e3_other": constant(lambda: rotor(-E3E1, QUARTER) >> E3),
-    "e3_whole": constant(lambda: rotor(E3E1, 2 * QUARTER) >> E3),
-    "star_e1": constant(lambda: E1.dual()),
-    "star_e2": constant(lambda: E2.dual()),
-    "e2_star": constant(lambda: E2 * E2.dual()),
-    "e2_other": constant(lambda: E2 * -E2.dual()),
+    "quarter": fixed(QUARTER, "°"),
+    "half": fixed(QUARTER / 2, "°"),
+    "e3_turned": fixed(lambda: rotor(E3E1, QUARTER) >> E3, decimals=0),
+    "e3_other": fixed(lambda: rotor(-E3E1, QUARTER) >> E3, decimals=0),
+    "e3_whole": fixed(lambda: rotor(E3E1, 2 * QUARTER) >> E3, decimals=0),
+    "star_e1": fixed(lambda: E1.dual(), decimals=0),
+    "star_e2": fixed(lambda: E2.dual(), decimals=0),
+    "e2_star": fixed(lambda: E2 * E2.dual(), decimals=0),
+    "e2_other": fixed(lambda: E2 * -E2.dual(), decimals=0),
     "tool": element(lambda state: point(state, TOOL_POINT)),
-    "raised": Value(fixed(RAISED), "mm"),
+    "raised": fixed(RAISED, "mm"),
     "height": Value(lambda state, _: state.T_world_tool[2, 3], "mm"),
-    "shifted": Value(fixed(SHIFTED), "mm"),
+    "shifted": fixed(SHIFTED, "mm"),
     "shift": Value(lambda state, _: ceiling_shift(state), "mm"),
     "tilt": Value(lambda state, _: ceiling_tilt(state), "°", 1),
     "ceiling": element(lambda state: plane(state, CEILING)),
@@ -330,7 +320,7 @@ EDGE = LineExercise(
 
 STEPS = (
     Step("generators", start, prediction=Choice(right=1)),
-    Step("blades", start, prediction=Estimate(fixed(CL031.count), "", within=0.0)),
+    Step("blades", start, prediction=Estimate(lambda state, _: CL031.count, "", within=0.0)),
     Step(
         "axis",
         start,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import radians
 
 import numpy as np
@@ -13,7 +12,7 @@ from helicoide.command import HoldPosition, MoveToJoints, MoveToPose
 from helicoide.confinement.zones import SHELL_THICKNESS
 from helicoide.geometry import incidence, rigid, rotation
 from helicoide.ik import Contact
-from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Solution, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Solution, Step, Value, fixed
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.enclosure_reading import NOISE, OUTLIERS, PLANE_READINGS, camera_cloud, plane_in_cloud
 from helicoide.readout import nearest_point_and_plane, plane_distances
@@ -376,11 +375,6 @@ def no_shield(state: State, seat: Seat) -> bool:
     return bool(added(state)) and not shields(state)
 
 
-def fixed(number: float) -> Callable[[State, Seat], float]:
-    """A value that does not change."""
-    return lambda state, seat: number
-
-
 VALUES = {
     "elbow_at_first": Value(lambda state, _: elbow_to_ceiling(at_ready(state)), "mm"),
     "tool_at_first": Value(lambda state, _: plane_distances(at_ready(state))[TOOL_POINT, BENCH], "mm"),
@@ -390,9 +384,9 @@ VALUES = {
     "elbow_ceiling": Value(lambda state, _: elbow_to_ceiling(state), "mm"),
     "safe": Value(lambda state, _: state.problem.zones.critical, "mm"),
     "warning": Value(lambda state, _: state.problem.zones.warning, "mm"),
-    "shell": Value(fixed(SHELL_THICKNESS), "mm"),
-    "reserve": Value(fixed(CRITICAL - SHELL_THICKNESS), "mm"),
-    "asked": Value(fixed(ASKED), "°"),
+    "shell": fixed(SHELL_THICKNESS, "mm"),
+    "reserve": fixed(CRITICAL - SHELL_THICKNESS, "mm"),
+    "asked": fixed(ASKED, "°"),
     "shoulder": Value(lambda state, _: state.arm.q[SHOULDER], "°"),
     "shoulder_height": Value(lambda state, _: state.monitored_points[1][2], "mm"),
     "upper_arm": Value(
@@ -401,20 +395,20 @@ VALUES = {
     "missing": Value(lambda state, _: missing(state), "mm"),
     "back": Value(lambda state, _: np.array(BACK), "mm"),
     "back_free": Value(lambda state, _: distances_of(state, np.array([BACK])).min(), "mm"),
-    "far_left": Value(fixed(0.500), "mm"),
-    "far_down": Value(fixed(-0.200), "mm"),
-    "in_front": Value(fixed(0.700), "mm"),
+    "far_left": fixed(0.500, "mm"),
+    "far_down": fixed(-0.200, "mm"),
+    "in_front": fixed(0.700, "mm"),
     "edge": Value(lambda state, _: to_the_edge(state), "mm"),
     "drop": Value(lambda state, _: ceiling_drop(state), "mm"),
-    "wider": Value(fixed(WIDER), "mm"),
+    "wider": fixed(WIDER, "mm"),
     "walls": Value(lambda state, _: between_walls(state), "mm"),
     "corridor": Value(lambda state, _: corridor(state), "mm"),
     "elbow_x": Value(lambda state, _: parked_elbow(state)[0], "mm"),
     "elbow_parked": Value(lambda state, _: parked_elbow(state)[1], "mm"),
     "pane_edge": Value(lambda state, _: pane_edge(state), "mm"),
     "tilt_left": Value(lambda state, _: left_wall_tilt(state), "°", 1),
-    "noise": Value(fixed(NOISE), "mm"),
-    "outliers": Value(fixed(OUTLIERS), "%"),
+    "noise": fixed(NOISE, "mm"),
+    "outliers": fixed(OUTLIERS, "%"),
     "points": Value(lambda state, _: float(sum(len(cloud.points) for cloud in state.clouds.values())), decimals=0),
 }
 

@@ -18,7 +18,7 @@ from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.forward import joint_motor, tool_by_screws, tool_motor
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Order, Shown, Step, Value
+from helicoide.lesson import AtSeat, Choice, Diagnosis, Estimate, Mark, Order, Shown, Step, Value, fixed
 from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat, Selection
 from helicoide.state import State
@@ -299,11 +299,6 @@ def neither_moves(state: State, seat: Seat) -> bool:
     return moved is not None and moved[0] <= TINY and moved[1] <= STILL
 
 
-def fixed(number: float | Array) -> Callable[[State, Seat], float | Array]:
-    """A value that does not change."""
-    return lambda state, seat: number
-
-
 def multivector(read: Callable[[State], Array]) -> Callable[[State, Seat], Multivector]:
     """A value that is a multivector of the state, without what would be written as 0.000."""
 
@@ -352,29 +347,29 @@ VALUES = {
     "waist_motor": Value(multivector(waist_motor)),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
     "roll": Value(lambda state, _: state.arm.q[ROLL], "°"),
-    "wanted": Value(fixed(WANTED), "", 1),
-    "found_angle": Value(fixed(2 * asin(WANTED)), "°"),
-    "full_angle": Value(fixed(asin(WANTED)), "°"),
-    "within": Value(fixed(WITHIN), "°"),
+    "wanted": fixed(WANTED, "", 1),
+    "found_angle": fixed(2 * asin(WANTED), "°"),
+    "full_angle": fixed(asin(WANTED), "°"),
+    "within": fixed(WITHIN, "°"),
     "height": Value(height, "mm"),
     "lift": Value(lambda state, seat: height(state, seat) / 2, "", 1),
     "link_motor": Value(multivector(link_motor)),
-    "least_waist": Value(fixed(LEAST_WAIST), "°"),
-    "no_slide": Value(fixed(NO_SLIDE), "", 3),
+    "least_waist": fixed(LEAST_WAIST, "°"),
+    "no_slide": fixed(NO_SLIDE, "", 3),
     "volume": Value(lambda state, _: coefficient(shown_motor(state), "e1e2e3e"), "", 3),
     "tool_motor": Value(multivector(shown_motor)),
     "product": Value(multivector(product_motor)),
     "first_number": Value(lambda state, _: coefficient(product_motor(state), "1"), "", 3),
-    "side": Value(fixed(SIDE), "°"),
-    "below": Value(fixed(BELOW), "", 2),
+    "side": fixed(SIDE, "°"),
+    "below": fixed(BELOW, "", 2),
     "example": Value(lambda state, _: state.robot.poses["example"], "°"),
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "tip": Value(lambda state, _: example_tip(state, False), "mm"),
     "reversed_tip": Value(lambda state, _: example_tip(state, True), "mm"),
-    "apart": Value(fixed(APART), "°"),
-    "half_way": Value(fixed(APART / 2), "°"),
-    "long_way": Value(fixed(2 * pi - APART), "°"),
-    "long_half": Value(fixed(APART / 2 - pi), "°"),
+    "apart": fixed(APART, "°"),
+    "half_way": fixed(APART / 2, "°"),
+    "long_way": fixed(2 * pi - APART, "°"),
+    "long_half": fixed(APART / 2 - pi, "°"),
     "cut": Value(
         lambda state, _: float(np.linalg.norm(halfway(state.robot)[:3, 3] - straight_halfway(state.robot))), "mm"
     ),

@@ -13,7 +13,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.multivector import Multivector
 from helicoide.kinematics.forward import tool_motor
-from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value, fixed
 from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat
 from helicoide.state import State, Update
@@ -212,52 +212,40 @@ def raised(height: float, about_x: float) -> Update:
     return gate.set_joints([height, 0.0, 0.0, 0.0, 0.0, about_x])
 
 
-def fixed(value: float | Array | Multivector) -> Callable[[State, Seat], float | Array | Multivector]:
-    """A value that does not change."""
-    return lambda state, seat: value
-
-
-def computed(value: Callable[[], Multivector], decimals: int | None = None) -> Value:
-    """A multivector that does not change, computed when it is shown: products need the kernels."""
-    return Value(lambda state, seat: value(), decimals=decimals)
-
-
 VALUES = {
     "angle_z": Value(lambda state, _: state.arm.q[ABOUT_Z], "°"),
     "facing": Value(lambda state, _: facing(state)[:2]),
     "x": Value(lambda state, _: facing(state)[0]),
     "y": Value(lambda state, _: facing(state)[1]),
-    "half": Value(fixed(HALF), decimals=1),
-    "first_turn": Value(fixed(FIRST_TURN), "°"),
-    "twice": Value(fixed(2 * FIRST_TURN), "°"),
-    "mirrored": Value(fixed(np.pi - 2 * FIRST_TURN), "°"),
-    "cos_first": Value(fixed(cos(FIRST_TURN))),
-    "sin_first": Value(fixed(sin(FIRST_TURN))),
-    "twice_sine": Value(fixed(2 * sin(FIRST_TURN))),
-    "squared": Value(
-        fixed(np.array([cos(FIRST_TURN) ** 2 - sin(FIRST_TURN) ** 2, 2 * cos(FIRST_TURN) * sin(FIRST_TURN)]))
-    ),
+    "half": fixed(HALF, decimals=1),
+    "first_turn": fixed(FIRST_TURN, "°"),
+    "twice": fixed(2 * FIRST_TURN, "°"),
+    "mirrored": fixed(np.pi - 2 * FIRST_TURN, "°"),
+    "cos_first": fixed(cos(FIRST_TURN)),
+    "sin_first": fixed(sin(FIRST_TURN)),
+    "twice_sine": fixed(2 * sin(FIRST_TURN)),
+    "squared": fixed(np.array([cos(FIRST_TURN) ** 2 - sin(FIRST_TURN) ** 2, 2 * cos(FIRST_TURN) * sin(FIRST_TURN)])),
     "motor": Value(motor, decimals=2),
     "scalar": Value(lambda state, seat: motor(state, seat)["1"]),
-    "quarter": Value(fixed(QUARTER), "°"),
-    "eighth": Value(fixed(QUARTER / 2), "°"),
-    "quarter_rotor": computed(lambda: product(TURN_Z), decimals=2),
-    "tried": Value(fixed(TRIED), "°"),
-    "half_tried": Value(fixed(TRIED / 2), "°"),
-    "tried_scalar": Value(fixed(cos(TRIED / 2)), decimals=1),
-    "tilt": Value(fixed(TILT), "°"),
-    "half_tilt": Value(fixed(TILT / 2), "°"),
-    "tilt_rotor": computed(lambda: product(rigid.rotor(Y_AXIS, TILT)), decimals=2),
-    "z_then_x": computed(lambda: product(TURN_Z, TURN_X), decimals=2),
-    "x_then_z": computed(lambda: product(TURN_X, TURN_Z), decimals=2),
-    "shift": Value(fixed(SHIFT), "mm"),
-    "half_shift": Value(fixed(SHIFT / 2), "mm"),
-    "shift_m": Value(fixed(SHIFT), "m", 1),
-    "half_shift_m": Value(fixed(SHIFT / 2), decimals=1),
-    "shift_y": computed(lambda: product(rigid.translator(SHIFT * Y_AXIS)), decimals=2),
-    "shift_turned": computed(lambda: product(SHIFT_X, TURN_Z), decimals=2),
-    "turn_shifted": computed(lambda: product(TURN_Z, SHIFT_X), decimals=2),
-    "wanted": computed(wanted),
+    "quarter": fixed(QUARTER, "°"),
+    "eighth": fixed(QUARTER / 2, "°"),
+    "quarter_rotor": fixed(lambda: product(TURN_Z), decimals=2),
+    "tried": fixed(TRIED, "°"),
+    "half_tried": fixed(TRIED / 2, "°"),
+    "tried_scalar": fixed(cos(TRIED / 2), decimals=1),
+    "tilt": fixed(TILT, "°"),
+    "half_tilt": fixed(TILT / 2, "°"),
+    "tilt_rotor": fixed(lambda: product(rigid.rotor(Y_AXIS, TILT)), decimals=2),
+    "z_then_x": fixed(lambda: product(TURN_Z, TURN_X), decimals=2),
+    "x_then_z": fixed(lambda: product(TURN_X, TURN_Z), decimals=2),
+    "shift": fixed(SHIFT, "mm"),
+    "half_shift": fixed(SHIFT / 2, "mm"),
+    "shift_m": fixed(SHIFT, "m", 1),
+    "half_shift_m": fixed(SHIFT / 2, decimals=1),
+    "shift_y": fixed(lambda: product(rigid.translator(SHIFT * Y_AXIS)), decimals=2),
+    "shift_turned": fixed(lambda: product(SHIFT_X, TURN_Z), decimals=2),
+    "turn_shifted": fixed(lambda: product(TURN_Z, SHIFT_X), decimals=2),
+    "wanted": fixed(wanted),
     "half_length": Value(lambda state, _: float(np.linalg.norm(rigid.null_part(wanted().values))), decimals=1),
     "now": Value(motor),
 }

@@ -92,6 +92,7 @@ class Walk:
 
     def type(self, field: Locator, text: str) -> None:
         self.reach(self.page, field)
+        expect(field).to_be_focused()
         self.page.keyboard.press("Control+A")
         self.page.keyboard.type(text)
         self.page.keyboard.press("Enter")
@@ -135,6 +136,8 @@ class Walk:
                     self.type(docked.locator("input.mantine-NumberInput-input").nth(axis), f"{1e3 * point[axis]:.0f}")
                 self.press(ANSWER[self.language])
         until(self.page, lambda: self._answered(step))
+        expect(docked.get_by_role("button", name=ANSWER[self.language], exact=True)).to_have_count(0)
+        expect(docked.locator('[data-go^="answer:"], [data-go^="up:"]')).to_have_count(0)
 
     def _answered(self, step: Step) -> bool:
         progress = self.visitor.place.seat.lesson_progress

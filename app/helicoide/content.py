@@ -33,7 +33,7 @@ _MARKER_FILE: dict[ContentKind, str] = {"robots": "robot.toml", "lessons": "less
 _LESSON_FOLDERS = list[Path]()  # named by the user, besides the user's own folder
 NO_LESSONS = Text(
     en="{folder} contains no lesson: name a folder that has a folder for each lesson, with its lesson.py.{instead}",
-    pt_BR="{folder} não contém lição: indique uma pasta que tenha, para cada lição, uma pasta com o lesson.py.{instead}",
+    pt_BR="{folder} não contém lição: indique uma pasta que tenha uma pasta por lição, com o lesson.py.{instead}",
 )
 INSTEAD = Text(en=" Here that is {folder}.", pt_BR=" Aqui, essa pasta é {folder}.")
 

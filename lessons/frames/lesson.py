@@ -19,9 +19,8 @@ from helicoide.text import Text
 
 TITLE = Text(en="Frames", pt_BR="Referenciais")
 ABOUT = Text(
-    en="Where something is depends on who measures: frames, the matrix of a pose, which side to multiply on, the inverse.",
-    pt_BR="O lugar de uma coisa depende de quem mede: referenciais, a matriz de uma pose, o lado da multiplicação, a "
-    "inversa.",
+    en="Where a thing is depends on who measures: frames, the matrix of a pose, the side of a factor, the inverse.",
+    pt_BR="O lugar de uma coisa depende de quem mede: referenciais, a matriz de uma pose, o lado do fator, a inversa.",
 )
 ROBOT = "orca"
 NEEDS = ("drive_the_arm",)

@@ -129,8 +129,9 @@ def _raised_in(path: Path, error: BaseException) -> Path:
 
 def _forget(package: str) -> None:
     """Have the files of a lesson read anew when they are imported next: they may have changed, or lie elsewhere."""
-    for name in [name for name in sys.modules if name == package or name.startswith(f"{package}.")]:
-        del sys.modules[name]
+    for name in list(sys.modules):  # another thread may import at the same time
+        if name == package or name.startswith(f"{package}."):
+            sys.modules.pop(name, None)
 
 
 def _with_options(lesson: Lesson, module: ModuleType, path: Path) -> Lesson:

@@ -239,14 +239,14 @@ STEPS = (
                 "without_roll", roll_missing, ((gate.set_joints(np.radians([30.0, 60.0, -90.0, -30.0, 0.0])), 4.0),)
             ),
         ),
-        shown=Shown(layers=("dh", "axes"), camera="first"),
+        shown=Shown(layers=("dh",), camera="first"),
     ),
-    Step("longer", start, prediction=Choice(right=0), shown=Shown(layers=("dh", "axes"), camera="side")),
+    Step("longer", start, prediction=Choice(right=0), shown=Shown(layers=("dh",), camera="side")),
     Step(
         "almost_parallel",
         start,
         prediction=Estimate(lambda state, seat: upper_arm(state) / tan(TILT), "m", within=2.0),
         shown=Shown(layers=("axes",), camera="first"),
     ),
-    Step("explore", start, joints=ALL_JOINTS, shown=Shown(layers=("dh", "axes"), camera="first"), is_open=True),
+    Step("explore", start, joints=ALL_JOINTS, shown=Shown(layers=("axes",), camera="first"), is_open=True),
 )

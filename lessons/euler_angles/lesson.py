@@ -245,7 +245,7 @@ STEPS = (
         joints=BY_HAND,
         prediction=Choice(right=1),
         diagnoses=(Diagnosis("rolled", only_rolled, ((gate.set_joint(ROLL, QUARTER), 4.0),)),),
-        shown=Shown(layers=("axes", "frames"), camera="first"),
+        shown=Shown(layers=("axes",), camera="first"),
     ),
     Step("write", start, line=THREE_TURNS),
     Step(

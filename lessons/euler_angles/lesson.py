@@ -25,7 +25,7 @@ ABOUT = Text(
 ROBOT = "movemaster"
 NEEDS = ("frames", "quaternions")
 SOURCES = (
-    "Cerbaro 2022: eqs. 6, 53–55 (which names them differently), 88",
+    "Cerbaro 2022: eqs. 6, 53–55 (which name them differently)",
     "Vargas 2013: eqs. 2.26, 2.27 (representation singularities)",
 )
 OWN_ARM = True

@@ -86,7 +86,7 @@ PRINTED: dict[str, dict[str, tuple[Printed, float]]] = {
 
 def test_there_is_a_sheet_for_each_worked_example() -> None:
     assert example_sheets().keys() == PRINTED.keys()
-    assert len(PRINTED) == 8
+    assert len(PRINTED) == 9  # eight worked examples of the source, and the station of a lesson
 
 
 @pytest.mark.parametrize("name", PRINTED)

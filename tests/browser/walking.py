@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Locator, Page, expect
 from tests.browser.lab import Lab, tab, until
-from tests.browser.pictures import FLAWS
+from tests.browser.pictures import FAILURES, flaws
 from tests.browser.readable import remaining
 
 from helicoide.command import MoveToJoints
@@ -183,7 +183,7 @@ class Walk:
     def _look(self, title: str) -> None:
         """Take a picture, and note what is wrong on the page."""
         width = self.page.viewport_size["width"] if self.page.viewport_size else 0
-        found = [*self.page.evaluate(FLAWS), *remaining(self.page, width < 400)]
+        found = [*flaws(self.page, FAILURES), *remaining(self.page, width < 400)]
         picture = Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")
         left, upper, right, lower = (share * side for share, side in zip(SCENE, 2 * picture.size, strict=True))
         if len(picture.crop((int(left), int(upper), int(right), int(lower))).getcolors(10**6) or ()) < LEAST_COLOURS:

@@ -69,7 +69,7 @@ PROJECTION = LineExercise(
     ),
     "(px*zy - py*zx)/rho",
     steps=(("rho", "sqrt(px**2 + py**2)"),),
-    title=Text(en="how far the hand of the L-3 is out of its plane", pt_BR="quanto a mão do L-3 sai do plano"),
+    title=Text(en="the sine of the angle out of the plane", pt_BR="o seno do ângulo para fora do plano"),
 )
 SCREWS = LineExercise(
     "error",

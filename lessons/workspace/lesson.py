@@ -68,8 +68,12 @@ LENGTHS = (
 CLOSED_FORM = LineExercise(
     "error",
     LENGTHS,
-    "atan2(y, x) - atan2(l2*s2, l1 + l2*c2)",
-    steps=(("c2", "(x**2 + y**2 - l1**2 - l2**2)/(2*l1*l2)"), ("theta2", "atan2(s2, c2)")),
+    "atan2(s2, c2)",
+    steps=(
+        ("c2", "(x**2 + y**2 - l1**2 - l2**2)/(2*l1*l2)"),
+        ("theta1", "atan2(y, x) - atan2(l2*s2, l1 + l2*c2)"),
+    ),
+    without=("acos", "asin"),
     title=Text(en="the closed form of two links", pt_BR="a forma fechada de dois elos"),
 )
 

@@ -104,6 +104,8 @@ def postures_of(name: str) -> int:
 VALUES = {
     "long": fixed(L1, "mm"),
     "short": fixed(L2, "mm"),
+    "long_m": fixed(L1, decimals=1),
+    "short_m": fixed(L2, decimals=1),
     "inner": fixed(INNER, "mm"),
     "outer": fixed(OUTER, "mm"),
     "distance": Value(lambda state, _: distance(state), "mm"),

@@ -20,6 +20,7 @@ from .values import (
     CHOICE_UP,
     DIRECTION,
     ELBOW,
+    FAR_DIRECTION,
     FAR_PLACE,
     FAR_UP,
     FAR_WRIST,
@@ -27,7 +28,6 @@ from .values import (
     LIFT,
     PLACE,
     PSI,
-    UPRIGHT,
     WRIST,
     heading,
     missing,
@@ -176,8 +176,8 @@ def elbow_alone(state: State, seat: Seat) -> bool:
 
 
 def far_placed(state: State, seat: Seat) -> bool:
-    """The hand is at the far place, upright."""
-    return is_at(state, FAR_PLACE) and is_aligned(state, UPRIGHT)
+    """The hand is at the far place, with the direction."""
+    return is_at(state, FAR_PLACE) and is_aligned(state, FAR_DIRECTION)
 
 
 def signs_mixed(state: State, seat: Seat) -> bool:
@@ -195,7 +195,7 @@ def quadrant_lost(state: State, seat: Seat) -> bool:
 def far_hand_left(state: State, seat: Seat) -> bool:
     """The third axis is where it should be, and the hand points elsewhere."""
     is_there = bool(np.linalg.norm(wrist_place(state) - FAR_WRIST) <= AT_PLACE)
-    return rests(state) and is_there and not is_aligned(state, UPRIGHT)
+    return rests(state) and is_there and not is_aligned(state, FAR_DIRECTION)
 
 
 def chosen_up(state: State, seat: Seat) -> bool:

@@ -41,13 +41,13 @@ from .values import (
     CHOICE_DOWN,
     CHOICE_UP,
     DIRECTION,
+    FAR_DIRECTION,
     FAR_DOWN,
     FAR_UP,
     LIFT,
     PLACE,
     PSI,
     SHOULDER,
-    UPRIGHT,
     WRIST,
     cost,
 )
@@ -143,7 +143,9 @@ STEPS = (
         joints=ALL,
         prediction=Choice(right=0, reveal="done"),
         diagnoses=(
-            Diagnosis("mixed", signs_mixed, ((gate.set_joints([BETA + PSI, FAR_DOWN[1], UPRIGHT - BETA - PSI]), 6.0),)),
+            Diagnosis(
+                "mixed", signs_mixed, ((gate.set_joints([BETA + PSI, FAR_DOWN[1], FAR_DIRECTION - BETA - PSI]), 6.0),)
+            ),
             Diagnosis("quadrant", quadrant_lost, ((gate.set_joints([BETA - pi - PSI, *FAR_DOWN[1:]]), 6.0),)),
             Diagnosis("hand", far_hand_left, ((gate.set_joints([*FAR_UP[:2], 0.0]), 6.0),)),
         ),

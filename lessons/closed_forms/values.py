@@ -16,7 +16,7 @@ from helicoide.state import State
 SHOULDER, ELBOW, WRIST = 0, 1, 2
 L1, L2, L3 = 2.0, 1.0, 1.0  # m, of the robot's file
 PLACE, DIRECTION = (1.5, 1.5), 0.0  # of the hand in the step about the wrist, m and rad
-FAR_WRIST, UPRIGHT = (-1.2, 1.6), radians(90.0)
+FAR_WRIST, FAR_DIRECTION = (-1.2, 1.6), radians(-90.0)
 CHOICE, CHOICE_DIRECTION = (0.6, -2.9), radians(-60.0)
 WEIGHTS = 3.0, 1.0, 1.0
 LEAST_TURN = radians(30.0)
@@ -52,8 +52,8 @@ def angle_at_shoulder(r: float) -> float:
 
 FAR = hypot(*FAR_WRIST)
 BETA, PSI = atan2(FAR_WRIST[1], FAR_WRIST[0]), angle_at_shoulder(FAR)
-FAR_UP, FAR_DOWN = (posture(*FAR_WRIST, UPRIGHT, sign) for sign in (-1, 1))
-FAR_PLACE = FAR_WRIST[0] + L3 * cos(UPRIGHT), FAR_WRIST[1] + L3 * sin(UPRIGHT)
+FAR_UP, FAR_DOWN = (posture(*FAR_WRIST, FAR_DIRECTION, sign) for sign in (-1, 1))
+FAR_PLACE = FAR_WRIST[0] + L3 * cos(FAR_DIRECTION), FAR_WRIST[1] + L3 * sin(FAR_DIRECTION)
 CHOICE_DOWN, CHOICE_UP = (posture(*wrist_of(*CHOICE, CHOICE_DIRECTION), CHOICE_DIRECTION, sign) for sign in (1, -1))
 
 
@@ -118,7 +118,7 @@ VALUES = {
     "direction": fixed(DIRECTION, "°"),
     "wrist_asked": fixed(np.array(wrist_of(*PLACE, DIRECTION)), "mm"),
     "far_place": fixed(np.array(FAR_PLACE), "mm"),
-    "upright": fixed(UPRIGHT, "°"),
+    "far_phi": fixed(FAR_DIRECTION, "°"),
     "far_wrist": fixed(np.array(FAR_WRIST), "mm"),
     "beta": fixed(BETA, "°", 1),
     "beta_lost": fixed(BETA - pi, "°", 1),

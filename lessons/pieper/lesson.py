@@ -34,7 +34,7 @@ from .goals import (
 from .values import BEND, FIRST, FLANGE, FLIPPED, ROLL, SHOULDER, WAIST, wrist_for_tip
 from .values import VALUES as VALUES
 
-TITLE = Text(en="Eight postures and the wrist centre", pt_BR="Oito posturas e o centro do punho")
+TITLE = Text(en="Eight postures", pt_BR="Oito posturas")
 ABOUT = Text(
     en="Why three axes through one point give a closed form, how eight postures arise, and which of them limits allow.",
     pt_BR="Por que três eixos por um ponto dão forma fechada, de onde vêm oito posturas, e quais cabem nos limites.",

@@ -49,7 +49,7 @@ from .values import (
 )
 from .values import VALUES as VALUES
 
-TITLE = Text(en="Workspace and postures", pt_BR="Espaço de trabalho e posturas")
+TITLE = Text(en="Workspace", pt_BR="Espaço de trabalho")
 ABOUT = Text(
     en="Where two links reach, with how many postures, how a closed form finds them, and what happens at the edge.",
     pt_BR="Até onde dois elos chegam, com quantas posturas, como uma forma fechada as encontra, e o que há na borda.",

@@ -105,15 +105,20 @@ def drawn(lab: Lab, page: Page, view: View) -> np.ndarray:
     lab.session.loop.call_soon_threadsafe(draw)
     page.wait_for_timeout(300)
     until(page, lambda: seen_as_sent(page, window.client.scene))
-    page.evaluate(TWO_FRAMES)
-    pictures = [canvas(page)]
+    pictures = [_next_picture(page) for _ in range(2)]
     until(page, lambda: _rests(page, pictures))
     return pictures[-1]
 
 
+def _next_picture(page: Page) -> np.ndarray:
+    page.evaluate(TWO_FRAMES)
+    return canvas(page)
+
+
 def _rests(page: Page, pictures: list[np.ndarray]) -> bool:
-    pictures.append(canvas(page))
-    return bool((pictures[-2] == pictures[-1]).all())
+    """Whether three pictures in a row are alike: a busy machine may draw nothing for a while."""
+    pictures.append(_next_picture(page))
+    return all(bool((one == pictures[-1]).all()) for one in pictures[-3:-1])
 
 
 def only(view: View, name: str | None) -> View:

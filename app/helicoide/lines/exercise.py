@@ -18,7 +18,7 @@ LINE_KINDS: dict[LineKind, Text] = {
     "chain": Text(en="a chain of forward kinematics", pt_BR="uma cadeia da cinemática direta"),
     "incidence": Text(en="a join or a meet", pt_BR="um join ou um meet"),
     "jacobian": Text(en="a column of the Jacobian", pt_BR="uma coluna da jacobiana"),
-    "error": Text(en="an error of orientation or pose", pt_BR="um erro de orientação ou de pose"),
+    "error": Text(en="an error of orientation, pose or velocity", pt_BR="um erro de orientação, pose ou velocidade"),
 }
 
 

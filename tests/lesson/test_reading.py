@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -58,6 +60,14 @@ def test_a_long_lesson_has_further_files_which_are_read_anew(folder: Path) -> No
             encoding="utf-8",
         )
         assert lesson.read_lesson("tour").title.en == title
+
+
+def test_a_long_lesson_is_read_in_many_threads_at_once(folder: Path) -> None:
+    (folder / "words.py").write_text("NAME = 'Tour'", encoding="utf-8")
+    (folder / "lesson.py").write_text("from .words import NAME\n" + GOOD, encoding="utf-8")
+    with ThreadPoolExecutor(8) as threads:
+        assert {one.title.en for one in threads.map(lesson.read_lesson, ["tour"] * 64)} == {"Tour"}
+    assert not [name for name in sys.modules if name.startswith("helicoide_lessons.tour")]
 
 
 @pytest.mark.parametrize(("text", "said"), [("\n1 / 0", "line 2 stops with ZeroDivisionError"), ("(", "no Python")])

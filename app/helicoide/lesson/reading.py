@@ -13,6 +13,7 @@ from base64 import b64encode
 from collections.abc import Mapping
 from functools import cache
 from importlib.machinery import SourceFileLoader
+from itertools import count
 from pathlib import Path
 from types import ModuleType
 
@@ -28,7 +29,7 @@ from helicoide.lesson.step import Step
 from helicoide.lesson.values import Value
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text, untranslated
 
-PACKAGE = "helicoide_lessons"
+READINGS = count()
 MOST_BYTES, LARGEST_PICTURE = 1_000_000, 400_000
 KINDS = {".svg": "", ".png": "image/png", ".jpg": "image/jpeg", ".webp": "image/webp"}
 _STEPS = Text(
@@ -96,19 +97,19 @@ def _broken(path: Path, reason: Text) -> HelicoideError:
 
 def _read_module(path: Path, name: str) -> Lesson:
     """A lesson.py, without prose. Raises HelicoideError with the line if the file raises anything."""
-    loader = SourceFileLoader(f"{PACKAGE}.{name}", str(path))
-    module = ModuleType(loader.name)
-    module.__package__, module.__path__ = loader.name, [str(path.parent)]
-    _forget(loader.name)
+    package = f"helicoide_lessons.{name}_{next(READINGS)}"  # a name of its own, since files may have changed
+    loader = SourceFileLoader(package, str(path))
+    module = sys.modules[package] = ModuleType(package)
+    module.__package__, module.__path__ = package, [str(path.parent)]
     importlib.invalidate_caches()
-    sys.modules[loader.name] = module
     try:
         loader.exec_module(module)
     except (Exception, SystemExit) as error:
         file = _raised_in(path, error)
         raise _broken(file, stopped(file, error)) from error
     finally:
-        _forget(loader.name)
+        for imported in [one for one in list(sys.modules) if one == package or one.startswith(f"{package}.")]:
+            del sys.modules[imported]
     title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
     if robot not in content.content_folders("robots"):
         raise _broken(path, _ROBOT.format(robots=", ".join(content.content_folders("robots"))))
@@ -125,12 +126,6 @@ def _raised_in(path: Path, error: BaseException) -> Path:
     if isinstance(error, SyntaxError) and error.filename is not None:
         raised.append(error.filename)
     return next((file for file in map(Path, reversed(raised)) if file.parent == path.parent), path)
-
-
-def _forget(package: str) -> None:
-    """Have the files of a lesson read anew when they are imported next: they may have changed, or lie elsewhere."""
-    for name in [name for name in sys.modules if name == package or name.startswith(f"{package}.")]:
-        del sys.modules[name]
 
 
 def _with_options(lesson: Lesson, module: ModuleType, path: Path) -> Lesson:

@@ -33,7 +33,6 @@ from .values import (
     SHOULDER,
     SLOW_GAIN,
     THIN,
-    VALUES,
     WRIST,
     axis_point,
     column_length,
@@ -46,8 +45,8 @@ from .values import (
     to_target,
     turned_by,
 )
+from .values import VALUES as VALUES
 
-__all__ = ["ABOUT", "NEEDS", "ROBOT", "SOURCES", "STEPS", "TITLE", "VALUES"]
 
 TITLE = Text(en="The Jacobian", pt_BR="A jacobiana")
 ABOUT = Text(
@@ -225,7 +224,7 @@ STEPS = (
         joints=(SHOULDER, ELBOW, WRIST),
         prediction=Estimate(lambda state, _: ready_length(state.robot, SHOULDER), "mm/s", within=30.0),
         diagnoses=(Diagnosis("another", another_turned(SHOULDER), ((gate.set_joint(ELBOW, radians(40.0)), 3.0),)),),
-        shown=Shown(layers=("axes", "columns", "trail"), camera="top"),
+        shown=Shown(layers=("columns", "trail"), camera="top"),
     ),
     Step(
         "lengths",
@@ -244,7 +243,7 @@ STEPS = (
         "column",
         start,
         line=COLUMN,
-        shown=Shown(layers=("axes", "columns"), camera="top"),
+        shown=Shown(layers=("columns",), camera="top"),
     ),
     Step(
         "point",
@@ -309,7 +308,7 @@ STEPS = (
         "explore",
         start,
         joints=(SHOULDER, ELBOW, WRIST),
-        shown=Shown(layers=("axes", "columns", "velocity_ellipsoid", "twist"), camera="top"),
+        shown=Shown(layers=("columns", "velocity_ellipsoid", "twist"), camera="top"),
         charts=("position error", "speed"),
         is_open=True,
     ),

@@ -33,7 +33,6 @@ from .values import (
     SHOULDER,
     TARGET,
     TURNED,
-    VALUES,
     WRIST,
     away,
     has_target,
@@ -44,8 +43,8 @@ from .values import (
     turned,
     weights,
 )
+from .values import VALUES as VALUES
 
-__all__ = ["ABOUT", "NEEDS", "ROBOT", "SOURCES", "STEPS", "TITLE", "VALUES"]
 
 TITLE = Text(en="Redundancy and the null space", pt_BR="Redundância e espaço nulo")
 ABOUT = Text(

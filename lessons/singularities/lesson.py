@@ -29,7 +29,6 @@ from .values import (
     SECOND_WITHIN,
     SECONDS,
     SMALL_DAMPING,
-    VALUES,
     WANTED,
     asked,
     damping,
@@ -39,8 +38,8 @@ from .values import (
     target_from_base,
     to_target,
 )
+from .values import VALUES as VALUES
 
-__all__ = ["ABOUT", "NEEDS", "ROBOT", "SOURCES", "STEPS", "TITLE", "VALUES"]
 
 TITLE = Text(en="Singularities", pt_BR="Singularidades")
 ABOUT = Text(

@@ -47,7 +47,6 @@ from .values import (
 )
 from .values import VALUES as VALUES
 
-
 TITLE = Text(en="The Jacobian", pt_BR="A jacobiana")
 ABOUT = Text(
     en="From joint velocities to the velocity of the end effector and back: columns, ellipse, drift and feedback.",

@@ -45,7 +45,6 @@ from .values import (
 )
 from .values import VALUES as VALUES
 
-
 TITLE = Text(en="Redundancy and the null space", pt_BR="Redundância e espaço nulo")
 ABOUT = Text(
     en="What joints can do that a task does not need: self-motion, secondary objectives, and where they end.",

@@ -40,7 +40,6 @@ from .values import (
 )
 from .values import VALUES as VALUES
 
-
 TITLE = Text(en="Singularities", pt_BR="Singularidades")
 ABOUT = Text(
     en="Where a direction is lost, what a velocity costs nearby, and what four inverses of the Jacobian do about it.",

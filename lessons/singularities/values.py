@@ -77,7 +77,7 @@ VALUES = {
     "inside": fixed(INSIDE, "m", 0),
     "outside": fixed(OUTSIDE, "m", 1),
     "from_base": Value(lambda state, _: from_base(state), "m", 2),
-    "target_out": Value(lambda state, _: target_from_base(state), "m", 2),
+    "target_out": Value(lambda state, _: float(np.hypot(*target_pose(state)[:2, 3])), "m", 2),
     "asked_first": Value(lambda state, _: asked(state, 0), "rad/s", 1),
     "asked_second": Value(lambda state, _: asked(state, 1), "rad/s", 1),
     "damping": Value(lambda state, _: in_mm(damping(state)), "mm/rad", 0),

@@ -19,7 +19,7 @@ TURNED, LITTLE = radians(25.0), radians(4.0)
 SAME_POINT, MOVED_AWAY = 0.002, 0.010
 JOINTS_OF_FIVE, ROWS_OF_POSITION = 5, 3
 EXACT = 0.001
-GOOD = 0.105  # m²/rad²
+GOOD = 0.245
 LIGHT, HEAVY = 5.0, 20.0  # 1/s
 LEVEL = radians(1.0)
 FREE_OF_LIMIT = radians(2.0)
@@ -59,8 +59,8 @@ def null_velocities(state: State) -> Array:
 
 
 def manipulability(state: State) -> float:
-    """The product of both semi-axes of the velocity ellipse, m²/rad²."""
-    return float(np.prod(position_analysis(state).sigma[:2]))
+    """The product of both semi-axes of the velocity ellipse, with lengths divided by the reach."""
+    return float(np.prod(position_analysis(state).sigma[:2] / state.problem.length))
 
 
 def to_limit(state: State) -> float:

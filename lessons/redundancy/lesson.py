@@ -45,7 +45,7 @@ from .values import (
 )
 from .values import VALUES as VALUES
 
-TITLE = Text(en="Redundancy and the null space", pt_BR="Redundância e espaço nulo")
+TITLE = Text(en="Redundancy", pt_BR="Redundância")
 ABOUT = Text(
     en="What joints can do that a task does not need: self-motion, secondary objectives, and where they end.",
     pt_BR="O que fazem as juntas que sobram em uma tarefa: automovimento, objetivos secundários e onde eles acabam.",

@@ -159,11 +159,6 @@ def at_wanted_point(state: State, seat: Seat) -> bool:
     return rests(state) and missing(state) <= ARRIVED
 
 
-def after_first_step(state: State, seat: Seat) -> bool:
-    """The arm rests where the first step of the inverse leads."""
-    return rests(state) and bool(np.abs(state.arm.q - first_step(state.robot)).max() <= FIRST_WITHIN)
-
-
 def step_by(share: float) -> Update:
     """Ask for the joint values at a part of the first step, from `ready`; 1 for the whole step."""
 
@@ -274,10 +269,7 @@ STEPS = (
         ((step_by(1.0), 3.0), (step_again, 3.0)),
         joints=(SHOULDER, ELBOW, WRIST),
         prediction=Choice(right=2, reveal="done"),
-        diagnoses=(
-            Diagnosis("once", after_first_step, ((step_by(1.0), 3.0),)),
-            Diagnosis("backwards", stepped_backwards, ((step_by(-1.0), 3.0),)),
-        ),
+        diagnoses=(Diagnosis("backwards", stepped_backwards, ((step_by(-1.0), 3.0),)),),
         shown=Shown(layers=("columns", "trail"), camera="top"),
     ),
     Step(

@@ -23,7 +23,6 @@ from .values import (
     HEAVY,
     JOINTS_OF_FIVE,
     LEVEL,
-    LIGHT,
     LITTLE,
     LOST,
     MOVED_AWAY,
@@ -154,20 +153,10 @@ def without_target(state: State, seat: Seat) -> bool:
     return chosen(state) == "manipulability" and not has_target(state)
 
 
-def too_light(state: State, seat: Seat) -> bool:
-    """The objective acts, with a small weight."""
-    return has_target(state) and chosen(state) == "manipulability" and float(weights(state).max()) < LIGHT
-
-
 def objective_is_idle(state: State, seat: Seat) -> bool:
     """Orientation counts too, and the arm rests at its target although an objective is chosen."""
     is_asked = state.request.with_orientation and chosen(state) != ""
     return is_asked and rests_at_target(state) and to_target(state) <= EXACT and abs(turned(state)) <= LEVEL
-
-
-def objective_turns(state: State, seat: Seat) -> bool:
-    """The orientation does not count, and the objective has turned the gripper."""
-    return has_target(state) and not state.request.with_orientation and abs(turned(state)) > TURNED
 
 
 def objective_removed(state: State, seat: Seat) -> bool:
@@ -185,11 +174,6 @@ def off_the_limit(state: State, seat: Seat) -> bool:
     """A weight has grown at a limit, no joint is there any more, and the end effector is at its target."""
     has_grown = adapts(state) and float(weights(state).max()) > HEAVY
     return has_target(state) and has_grown and to_limit(state) >= FREE_OF_LIMIT and to_target(state) <= EXACT
-
-
-def stays_at_limit(state: State, seat: Seat) -> bool:
-    """With constant weights the arm rests with a joint at its limit."""
-    return rests_at_target(state) and not adapts(state) and to_limit(state) < FREE_OF_LIMIT / 10
 
 
 def overgrown(state: State, seat: Seat) -> bool:
@@ -241,9 +225,6 @@ STEPS = (
         diagnoses=(
             Diagnosis("another", another_objective, ((gate.choose_objective("limit_distance"), 0.5),)),
             Diagnosis("no_target", without_target, ((gate.choose_objective("manipulability"), 0.5),)),
-            Diagnosis(
-                "light", too_light, ((target_turned(0.0, 0.02), 2.0), (gate.choose_objective("manipulability"), 1.0))
-            ),
         ),
         shown=Shown(layers=("velocity_ellipsoid", "trail"), camera="top", tab="method"),
         charts=("position error", "manipulability"),
@@ -254,10 +235,7 @@ STEPS = (
         objective_is_idle,
         ((target_turned(0.0, 0.02), 4.0), (gate.keep_orientation(True), 5.0)),
         prediction=Choice(right=1, reveal="done"),
-        diagnoses=(
-            Diagnosis("free", objective_turns, ((target_turned(0.0, 0.02), 5.0),)),
-            Diagnosis("removed", objective_removed, ((gate.choose_objective(None), 0.5),)),
-        ),
+        diagnoses=(Diagnosis("removed", objective_removed, ((gate.choose_objective(None), 0.5),)),),
         shown=Shown(layers=("null",), camera="top", tab="robot"),
     ),
     Step(
@@ -266,10 +244,7 @@ STEPS = (
         off_the_limit,
         ((ASK_NEAR_LIMIT, 5.0), (gate.grow_weights(True), 5.0)),
         prediction=Choice(right=1, reveal="done"),
-        diagnoses=(
-            Diagnosis("overgrown", overgrown, ((gate.grow_weights(True), 0.5), (ASK_NEAR_LIMIT, 8.0))),
-            Diagnosis("constant", stays_at_limit, ((ASK_NEAR_LIMIT, 5.0),)),
-        ),
+        diagnoses=(Diagnosis("overgrown", overgrown, ((gate.grow_weights(True), 0.5), (ASK_NEAR_LIMIT, 8.0))),),
         shown=Shown(camera="top", tab="robot"),
         charts=("positions", "position error"),
     ),

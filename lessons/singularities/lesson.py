@@ -55,7 +55,7 @@ SOURCES = (
 SHOULDER, ELBOW, WRIST = range(3)
 HALF_TURN = radians(180.0)
 STRAIGHT = radians(10.0)
-STARTED = 4.0  # s
+STARTED, LATE = 4.0, 12.0  # s
 NEAR_LAMBDA, NEAR_DELTA = 0.010, 0.004  # m/rad
 STILL, ON_LINE, REACHED = 0.005, 0.001, 0.010
 
@@ -164,8 +164,8 @@ def lags_behind(state: State, seat: Seat) -> bool:
 
 
 def hardly_damped(state: State, seat: Seat) -> bool:
-    """The arm follows the path closely, with a small λ."""
-    return follows(state) and state.request.path_s >= STARTED and damping(state) < SMALL_DAMPING
+    """Most of a lap is done, with a small λ."""
+    return follows(state) and state.request.path_s >= LATE and damping(state) < SMALL_DAMPING
 
 
 def without_damping(state: State, seat: Seat) -> bool:
@@ -262,7 +262,7 @@ STEPS = (
         ((gate.play(), 5.0), (damped_by(1.6), 3.0)),
         prediction=Choice(right=1, reveal="done"),
         diagnoses=(
-            Diagnosis("hardly_damped", hardly_damped, ((gate.play(), 8.0),)),
+            Diagnosis("hardly_damped", hardly_damped, ((gate.play(), 13.0),)),
             Diagnosis("another_method", without_damping, ((gate.choose_method("pseudoinverse"), 0.5),)),
         ),
         shown=Shown(layers=("path",), camera="top", tab="method"),

@@ -128,7 +128,6 @@ VALUES = {
     "length_1": Value(lambda state, _: column_length(state, SHOULDER), "mm/s"),
     "length_2": Value(lambda state, _: column_length(state, ELBOW), "mm/s"),
     "length_3": Value(lambda state, _: column_length(state, WRIST), "mm/s"),
-    "column_1": Value(lambda state, _: world_jacobian(state)[:2, SHOULDER], "mm/s"),
     "column_2": Value(lambda state, _: world_jacobian(state)[:2, ELBOW], "mm/s"),
     "elbow_at": Value(lambda state, _: axis_point(state, ELBOW)[:2], "mm"),
     "tool_at": Value(lambda state, _: state.T_world_tool[:2, 3], "mm"),

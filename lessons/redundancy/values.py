@@ -89,7 +89,6 @@ VALUES = {
     "manipulability": Value(lambda state, _: manipulability(state), "", 3),
     "good": fixed(GOOD, "", 3),
     "error": Value(lambda state, _: to_target(state), "mm", 1),
-    "exact": fixed(EXACT, "mm"),
     "heavy": fixed(HEAVY, "1/s", 0),
     "weight": Value(lambda state, _: weights(state)[WRIST], "1/s", 1),
     "largest_weight": Value(lambda state, _: weights(state).max(), "1/s", 0),

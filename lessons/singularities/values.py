@@ -85,13 +85,9 @@ VALUES = {
     "lagging": fixed(LAGGING, "mm"),
     "error": Value(lambda state, _: to_target(state), "mm"),
     "second_error": Value(lambda state, _: second_to_target(state), "mm"),
-    "metres": fixed(METRES, "m/rad", 1),
     "delta": fixed(DELTA, "", 2),
     "root": fixed(sqrt(DELTA), "m/rad", 1),
     "in_mm": fixed(in_mm(METRES), "mm/rad", 0),
     "as_delta": fixed(in_mm(DELTA), "mm/rad", 0),
-    "inwards": fixed(INWARDS, "mm"),
-    "lap": fixed(LAP, "s", 0),
     "nearest": Value(lambda state, _: max(target_from_base(state) - state.robot.reach, 0.0), "mm"),
-    "joints": Value(lambda state, _: state.arm.q, "°"),
 }

@@ -60,7 +60,6 @@ SOURCES = (
 )
 
 AT_REST = radians(3.0)
-STRAIGHT, BENT = radians(8.0), radians(30.0)
 LONGER = 0.030  # m/s
 ENOUGH_OF_LAP = 0.75
 TOO_FAR, LATE = 0.005, 8.0  # m and s
@@ -145,13 +144,6 @@ def wrist_point(state: State, seat: Seat) -> Array:
 def ellipse_is_flat(state: State, seat: Seat) -> bool:
     """The shorter semi-axis of the ellipse is nearly zero."""
     return rests(state) and bool(position_analysis(state).sigma[1] <= THIN)
-
-
-def one_straight(straight: int, bent: int) -> StepGoal:
-    """Whether of elbow and wrist one is straight and the other bent."""
-    return lambda state, seat: (
-        rests(state) and abs(float(state.arm.q[straight])) < STRAIGHT and abs(float(state.arm.q[bent])) > BENT
-    )
 
 
 def at_wanted_point(state: State, seat: Seat) -> bool:
@@ -256,10 +248,6 @@ STEPS = (
         ((gate.set_joint(ELBOW, radians(4.0)), 3.0), (gate.set_joint(WRIST, radians(-3.0)), 3.0)),
         joints=(SHOULDER, ELBOW, WRIST),
         prediction=Choice(right=1),
-        diagnoses=(
-            Diagnosis("wrist_bent", one_straight(ELBOW, WRIST), ((gate.set_joint(ELBOW, 0.0), 3.0),)),
-            Diagnosis("elbow_bent", one_straight(WRIST, ELBOW), ((gate.set_joint(WRIST, 0.0), 3.0),)),
-        ),
         shown=Shown(layers=("velocity_ellipsoid",), camera="top"),
     ),
     Step(

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from math import cos, radians, sin
 
-import numpy as np
-
 from helicoide import gate
 from helicoide.command import FollowPath, MoveToJoints, MoveToPose, PathChoice
 from helicoide.ik.controller import Controller
@@ -54,7 +52,6 @@ SOURCES = (
 
 SHOULDER, ELBOW, WRIST = range(3)
 HALF_TURN = radians(180.0)
-STRAIGHT = radians(10.0)
 STARTED, LATE = 4.0, 12.0  # s
 NEAR_LAMBDA, NEAR_DELTA = 0.010, 0.004  # m/rad
 STILL, ON_LINE, REACHED = 0.005, 0.001, 0.010
@@ -105,19 +102,9 @@ def rests(state: State) -> bool:
     return not state.arm.moving and isinstance(state.request.command, MoveToJoints)
 
 
-def is_straight(state: State, joint: int) -> bool:
-    """Whether a joint is straight or folded back, near 0° or ±180°."""
-    return bool(abs(np.sin(state.arm.q[joint])) < sin(STRAIGHT))
-
-
 def ellipse_is_flat(state: State, seat: Seat) -> bool:
     """The arm rests where the shorter semi-axis is small."""
     return rests(state) and short_axis(state) <= FLAT
-
-
-def one_straight(straight: int, bent: int) -> StepGoal:
-    """Whether of elbow and wrist one is straight, or folded back, and the other is not."""
-    return lambda state, seat: rests(state) and is_straight(state, straight) and not is_straight(state, bent)
 
 
 def flat_inside(state: State, seat: Seat) -> bool:
@@ -212,10 +199,6 @@ STEPS = (
         ((gate.set_joint(ELBOW, radians(2.0)), 3.0), (gate.set_joint(WRIST, radians(1.0)), 3.0)),
         joints=(SHOULDER, ELBOW, WRIST),
         prediction=Estimate(lambda state, _: WANTED / FLAT, "rad/s", within=0.5),
-        diagnoses=(
-            Diagnosis("wrist_bent", one_straight(ELBOW, WRIST), ((gate.set_joint(ELBOW, 0.0), 3.0),)),
-            Diagnosis("elbow_bent", one_straight(WRIST, ELBOW), ((gate.set_joint(WRIST, 0.0), 3.0),)),
-        ),
         shown=Shown(layers=("velocity_ellipsoid", "singular"), camera="top"),
     ),
     Step(
@@ -231,7 +214,6 @@ STEPS = (
                 flat_at_the_edge,
                 ((gate.set_joint(ELBOW, 0.0), 3.0), (gate.set_joint(WRIST, 0.0), 3.0)),
             ),
-            Diagnosis("one_folded", one_straight(ELBOW, WRIST), ((gate.set_joint(ELBOW, HALF_TURN), 4.0),)),
         ),
         shown=Shown(layers=("velocity_ellipsoid", "singular"), camera="top"),
     ),

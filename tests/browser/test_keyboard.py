@@ -53,6 +53,7 @@ def test_a_joint_moves_in_the_steps_of_a_pendant(lab: Lab, page: Page, keys: str
 
 def test_the_target_moves_in_the_steps_of_a_pendant(lab: Lab, page: Page) -> None:
     start = 1000 * float(lab.state.T_world_tool[0, 3])
+    page.wait_for_function(SHOWN_AT, arg=start)
     page.locator("canvas[role=application]").focus()
     for keys, step in (("Shift+ArrowDown", -10.0), ("ArrowDown", -11.0), ("Alt+ArrowUp", -10.9)):
         page.keyboard.press(keys)

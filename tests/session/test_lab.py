@@ -9,12 +9,14 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+import numpy as np
 import pytest
-from tests.pages import Hand
+from tests.pages import Hand, Message
 from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate, lesson
 from helicoide.command import HoldPosition
+from helicoide.geometry import rotation
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import StepWatch
@@ -24,6 +26,7 @@ from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
 from helicoide.state import initial_state
+from helicoide.view.pose import place_point
 from helicoide.view.window import Window
 from helicoide.view.window_view import View
 
@@ -285,6 +288,32 @@ def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -
     lab.shared.workcell.tell(gate.get_ready())
     assert eventually(lambda: state(lab).request.command == HoldPosition())
     after_ticks(lab)
+
+
+def test_a_drag_ends_where_the_page_let_go(lab: Lab, hand: Hand) -> None:
+    """Even if a frame of a state in which it had not begun was drawn meanwhile. The page is told the pose again."""
+    told: list[float] = []
+
+    def heard(message: Message) -> None:
+        if message["type"] == "SetPositionMessage" and message["name"] == "/target":
+            told.append(message["position"][2])
+
+    (visitor,) = lab.visitors.values()
+    assert eventually(lambda: visitor.window.layers is not None)
+    gizmo = visitor.window.layers.layers["target"].gizmo  # type: ignore[union-attr, attr-defined]
+    T = state(lab).T_world_tool
+    before, after = T[:3, 3], T[:3, 3] - [0.0, 0.0, 0.02]
+    hand.do(hand.page.gizmo("DragStart"))
+    wxyz = tuple(rotation.from_matrix(T[:3, :3]).tolist())
+    hand.do(hand.page.gizmo("Update", wxyz=wxyz, position=tuple(after.tolist())))
+    assert eventually(lambda: np.allclose(gizmo.position, after))
+    lab.loop.call_soon_threadsafe(place_point, gizmo, before)
+    assert eventually(lambda: np.allclose(gizmo.position, before))
+    hand.page.heard = heard
+    hand.do(hand.page.gizmo("DragEnd"))
+    assert eventually(lambda: state(lab).request.drag is None and not state(lab).arm.moving)
+    assert state(lab).request.command.T_world_target[2, 3] == pytest.approx(after[2], abs=1e-6)  # type: ignore[union-attr]
+    assert eventually(lambda: bool(told) and told[-1] == pytest.approx(after[2], abs=1e-6))
 
 
 def test_seats_that_nobody_uses_are_forgotten_and_their_arms_rest() -> None:

@@ -44,7 +44,8 @@ class LineExercise:
 
     expected: in the language of the console. steps: lines to type before it, each a name for its result and what is
     expected; the lines after it may use this name. sign_counts: whether −M is wrong where M is expected; it is the same
-    motion, and a plane or line with its sides or direction swapped. without: functions that may not be used.
+    motion, and a plane or line with its sides or direction swapped. without: functions that may not be used. title:
+    what is asked for, where the title of the kind does not say it.
     """
 
     kind: LineKind
@@ -53,6 +54,7 @@ class LineExercise:
     steps: tuple[tuple[str, str], ...] = ()
     sign_counts: bool = True
     without: tuple[str, ...] = ()
+    title: Text | None = None
 
     def lines(self) -> tuple[LineExercise, ...]:
         """The lines to type, one after the other, each an exercise without steps."""

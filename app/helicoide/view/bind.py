@@ -14,6 +14,7 @@ import viser
 
 from helicoide.arrays import Array
 from helicoide.gate import Phase
+from helicoide.view.pose import send_pose
 
 Drag = Callable[[Phase, Array, Array], None]
 
@@ -49,10 +50,20 @@ def on_upload(button: viser.GuiUploadButtonHandle, act: Callable[[str, bytes], N
 
 
 def on_drag(gizmo: viser.TransformControlsHandle, act: Drag) -> None:
-    """Call `act` with phase, position (3,) m and wxyz at every event of a gizmo."""
+    """Call `act` with phase, position (3,) m and wxyz at every event of a gizmo.
+
+    The end has the pose of the last update: the handle may have been moved since, by a frame of a state in which the
+    drag had not begun. Such a frame reaches the page too, so the pose of the end is sent back.
+    """
+    last: tuple[Array, Array] | None = None
 
     async def dragged(event: viser.TransformControlsEvent) -> None:
-        act(event.phase, np.array(event.target.position), np.array(event.target.wxyz))
+        nonlocal last
+        if event.phase != "end" or last is None:
+            last = np.array(event.target.position), np.array(event.target.wxyz)
+        act(event.phase, *last)
+        if event.phase == "end":
+            send_pose(gizmo, *last)
 
     gizmo.on_update(dragged)
 

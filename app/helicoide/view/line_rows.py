@@ -63,7 +63,8 @@ def _asked_for(view: View) -> Markup:
     done = [DONE.format(_defined(exercise, k), text) for k, text in enumerate(accepted)]
     if len(accepted) == len(lines):
         done.append(PARAGRAPH.format(ACCEPTED[language]))
-    return BOX.format(ASKED.format(kind=LINE_KINDS[exercise.kind])[language], listed, Markup("").join(done))
+    asked = ASKED.format(kind=exercise.title or LINE_KINDS[exercise.kind])
+    return BOX.format(asked[language], listed, Markup("").join(done))
 
 
 def _titled(name: GivenName, language: Language) -> str:

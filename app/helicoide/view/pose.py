@@ -30,3 +30,13 @@ def place_point(node: viser.SceneNodeHandle, position: Array) -> None:
     if [x, y, z] != impl.position.tolist():
         impl.position[:] = x, y, z
         impl.api._queue_scene_message(SetPositionMessage(impl.name, (x, y, z)))
+
+
+def send_pose(node: viser.SceneNodeHandle, position: Array, wxyz: Array) -> None:
+    """Give a node a position (3,), m, and an orientation wxyz, also if it has them already on this side."""
+    impl = node._impl
+    impl.position[:], impl.wxyz[:] = position, wxyz
+    x, y, z = position.tolist()
+    w, i, j, k = wxyz.tolist()
+    impl.api._queue_scene_message(SetPositionMessage(impl.name, (x, y, z)))
+    impl.api._queue_scene_message(SetOrientationMessage(impl.name, (w, i, j, k)))

@@ -20,7 +20,9 @@ from helicoide.view.window_view import View
 
 WAITING = Markup("<b class='helicoide-value'>…</b>")
 NUMBER = Markup("<b class='helicoide-value'>{}</b>")
-MATRIX, ROW, CELL = Markup("<table class='helicoide-brackets'>{}</table>"), Markup("<tr>{}</tr>"), Markup("<td>{}</td>")
+# Not a table: that would end the paragraph in which the value stands.
+MATRIX = Markup("<span class='helicoide-array'><span class='helicoide-brackets'>{}</span>{}</span>")
+ROW, CELL = Markup("<i>{}</i>"), Markup("<span>{}</span>")
 SUM, TERM = Markup("<span class='helicoide-value'>{}</span>"), Markup("<span>{}{}{}</span>")
 DECIMALS = 3  # of a multivector, unless an author has chosen
 
@@ -72,8 +74,9 @@ def _matrix(numbers: Array, value: Value, language: Language) -> Markup:
     def cell(number: float) -> Markup:
         return CELL.format(measured_text(in_unit(float(number), value.unit), "", decimals)[language])
 
-    rows = (ROW.format(Markup("").join(map(cell, row))) for row in np.atleast_2d(numbers))
-    return MATRIX.format(Markup("").join(rows)) + value.unit
+    rows = (ROW.format(Markup(" ").join(map(cell, row))) for row in np.atleast_2d(numbers))
+    unit = value.unit if value.unit in ("", "°") else f"\u202f{value.unit}"
+    return MATRIX.format(Markup("").join(rows), unit)
 
 
 def _sum(multivector: Multivector, decimals: int, language: Language) -> Markup:

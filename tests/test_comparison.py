@@ -75,6 +75,15 @@ def test_at_a_singular_posture_the_pseudoinverse_asks_for_what_damping_does_not(
     assert "damped least squares" in largest_values(view)
 
 
+def test_two_arms_with_one_method_stay_together_on_a_path() -> None:
+    """Both follow the point of the same instant, so that their errors can be compared."""
+    state = compared(gate.keep_orientation(False)(initial_state(load_robot("planar3r"))), "damped", "damped")
+    state = after(gate.play()(gate.set_duration(5.0)(gate.choose_path("circle")(state))), 4.0)
+    assert state.compared is not None
+    assert state.request.path_s > 1.0
+    np.testing.assert_allclose(state.compared.arm.q, state.arm.q, atol=1e-12)
+
+
 def test_what_is_recorded_stays_while_nothing_moves_and_is_new_for_another_method() -> None:
     state = compared(initial_state(load_robot("planar3r")), "pseudoinverse", "damped")
     T = state.T_world_tool

@@ -98,9 +98,10 @@ def _compared(state: State, moved: State, dt: float) -> ComparedArm:
     match command:
         case MoveToPose(T):
             second = _to_pose(second, T, _STILL, dt)
-        case FollowPath(path, s, playing, arrived):
-            T, ahead = frozen(path.pose(s)), frozen(path.twist(s)[:3]) if playing and arrived else _STILL
-            second = _to_pose(second, T, ahead, dt)
+        case FollowPath(path, s):
+            T, before = frozen(path.pose(s)), state.request.command
+            assert isinstance(before, FollowPath)
+            second = _to_pose(second, frozen(path.pose(before.s)), _ahead(before), dt)
         case HoldPosition():
             second = _still(second)
         case _:
@@ -192,15 +193,19 @@ def _along(state: State, command: FollowPath, dt: float) -> State:
     An open path stops at its end.
     """
     target = frozen(command.path.pose(command.s))
-    running = command.playing and command.arrived
-    ahead = frozen(command.path.twist(command.s)[:3]) if running else _STILL
-    state = _to_pose(state, target, ahead, dt)
+    state = _to_pose(state, target, _ahead(command), dt)
     if not command.playing:
         return state
     command = _approached(state, command, target, dt)
     s = wrapped_parameter(command.path, command.s + dt) if command.arrived else command.s
     playing = command.path.is_closed or s < command.path.duration
     return replace(state, request=replace(state.request, command=replace(command, s=s, playing=playing), path_s=s))
+
+
+def _ahead(command: FollowPath) -> Array:
+    """The velocity of the point that is followed, (3,), m/s; zero while it waits."""
+    running = command.playing and command.arrived
+    return frozen(command.path.twist(command.s)[:3]) if running else _STILL
 
 
 def _approached(state: State, command: FollowPath, target: Array, dt: float) -> FollowPath:

@@ -1,4 +1,4 @@
-"""Priorities: what gives way when not everything can be had, by weights, by ranks, and before an obstacle."""
+"""Priorities: what gives way when not everything can be had, by weights, by priorities, and before an obstacle."""
 
 from __future__ import annotations
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from math import radians
 
@@ -13,7 +12,7 @@ from helicoide.arrays import Array
 from helicoide.command import HoldPosition, MoveToPose, PathChoice
 from helicoide.geometry import rotation
 from helicoide.kinematics.forward import tool_by_screws
-from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value, fixed
 from helicoide.readout import plane_distances
 from helicoide.seat import Seat
 from helicoide.state import State, Update
@@ -199,32 +198,27 @@ def only_paused(state: State, seat: Seat) -> bool:
     return state.request.path_s >= FOLLOWED and getattr(command, "playing", True) is False
 
 
-def fixed(number: float) -> Callable[[State, Seat], float]:
-    """A value that does not change."""
-    return lambda state, seat: number
-
-
 VALUES = {
-    "bent": Value(fixed(BENT), "°"),
-    "within": Value(fixed(WITHIN), "°"),
+    "bent": fixed(BENT, "°"),
+    "within": fixed(WITHIN, "°"),
     "elbow_ready": Value(lambda state, _: state.robot.poses["ready"][ELBOW], "°"),
     "elbow_lower": Value(lambda state, _: state.robot.lower[ELBOW], "°"),
     "elbow_upper": Value(lambda state, _: state.robot.upper[ELBOW], "°"),
     "elbow": Value(lambda state, _: state.arm.q[ELBOW], "°"),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
-    "turned": Value(fixed(TURNED), "°"),
+    "turned": fixed(TURNED, "°"),
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "reach": Value(lambda state, _: float(np.hypot(*state.T_world_tool[:2, 3])), "mm"),
     "height": Value(lambda state, _: state.T_world_tool[2, 3], "mm"),
-    "left": Value(fixed(LEFT), "mm"),
-    "low": Value(fixed(LOW), "mm"),
+    "left": fixed(LEFT, "mm"),
+    "low": fixed(LOW, "mm"),
     "y": Value(lambda state, _: state.T_world_tool[1, 3], "mm"),
-    "swung": Value(fixed(SWUNG), "°"),
+    "swung": fixed(SWUNG, "°"),
     "safe": Value(lambda state, _: state.problem.zones.critical, "mm"),
     "nearest": Value(lambda state, _: to_the_ceiling(state), "mm"),
     "missing": Value(lambda state, _: missing_length(state), "mm"),
     "lap": Value(lambda state, _: gate.path_of(state.robot, state.request.path_choice).duration, "s", 0),
-    "followed": Value(fixed(FOLLOWED), "s", 0),
+    "followed": fixed(FOLLOWED, "s", 0),
     "path_s": Value(lambda state, _: state.request.path_s, "s", 1),
 }
 

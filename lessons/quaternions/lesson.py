@@ -13,7 +13,7 @@ from helicoide.geometry import rotation
 from helicoide.geometry.clifford import QUATERNIONS
 from helicoide.geometry.multivector import Multivector
 from helicoide.geometry.quaternion_paths import lerp, slerp
-from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Step, Value, fixed
 from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat
 from helicoide.state import State, Update
@@ -146,14 +146,9 @@ def typeset(read: Callable[[State, Seat], Array]) -> Callable[[State, Seat], Mul
     return lambda state, seat: Multivector(read(state, seat), QUATERNIONS)
 
 
-def fixed(q: Callable[[], Array], decimals: int = 2) -> Value:
+def as_sum(q: Callable[[], Array], decimals: int = 2) -> Value:
     """A quaternion that does not change, as a sum."""
-    return Value(lambda state, seat: Multivector(q(), QUATERNIONS), decimals=decimals)
-
-
-def number(value: float, unit: str = "", decimals: int | None = None) -> Value:
-    """A number that does not change."""
-    return Value(lambda state, seat: value, unit, decimals)
+    return fixed(lambda: Multivector(q(), QUATERNIONS), decimals=decimals)
 
 
 def sandwiched(v: Array) -> Array:
@@ -175,40 +170,40 @@ VALUES = {
     "q": Value(typeset(quaternion), decimals=2),
     "w": Value(lambda state, seat: quaternion(state, seat)[0]),
     "angle_z": Value(lambda state, _: state.arm.q[ABOUT_Z], "°"),
-    "quarter": number(QUARTER, "°"),
-    "quarter_q": fixed(lambda: WANTED),
-    "eighth": number(QUARTER / 2, "°"),
-    "left_i": fixed(lambda: rotation.multiply(WANTED, ALONG_I)),
-    "left_k": fixed(lambda: rotation.multiply(WANTED, ALONG_K)),
-    "asked": fixed(asked),
-    "to_i": fixed(lambda: sandwiched(ALONG_I), decimals=0),
-    "to_j": fixed(lambda: sandwiched(ALONG_J), decimals=0),
-    "to_k": fixed(lambda: sandwiched(ALONG_K), decimals=0),
-    "turn": number(TURN, "°"),
-    "two_turns": number(2 * TURN, "°"),
-    "half_turn": number(HALF_TURN, "°"),
-    "way": number(WAY, "°"),
-    "way_q": fixed(lambda: WAY_END),
-    "part": number(PART),
-    "slerp_angle": number(slerp_angle(), "°"),
-    "lerp_angle": number(lerp_angle(), "°"),
-    "eighth_way": number(PART * WAY / 2, "°"),
-    "lerp_length": number(float(np.linalg.norm(lerp(ONE, WAY_END, 0.5)))),
-    "far": number(FAR, "°"),
-    "short": number(TURN - FAR, "°"),
-    "far_q": fixed(lambda: FAR_END),
-    "minus_far_q": fixed(lambda: -FAR_END),
-    "far_dot": number(float(ONE @ FAR_END)),
-    "long_middle": number(FAR / 2, "°"),
-    "short_middle": number((FAR - TURN) / 2, "°"),
-    "missing": number(MISSING, "°"),
-    "half_missing": number(MISSING / 2, "°"),
-    "half_sine": number(sin(MISSING / 2), decimals=1),
+    "quarter": fixed(QUARTER, "°"),
+    "quarter_q": as_sum(lambda: WANTED),
+    "eighth": fixed(QUARTER / 2, "°"),
+    "left_i": as_sum(lambda: rotation.multiply(WANTED, ALONG_I)),
+    "left_k": as_sum(lambda: rotation.multiply(WANTED, ALONG_K)),
+    "asked": as_sum(asked),
+    "to_i": as_sum(lambda: sandwiched(ALONG_I), decimals=0),
+    "to_j": as_sum(lambda: sandwiched(ALONG_J), decimals=0),
+    "to_k": as_sum(lambda: sandwiched(ALONG_K), decimals=0),
+    "turn": fixed(TURN, "°"),
+    "two_turns": fixed(2 * TURN, "°"),
+    "half_turn": fixed(HALF_TURN, "°"),
+    "way": fixed(WAY, "°"),
+    "way_q": as_sum(lambda: WAY_END),
+    "part": fixed(PART),
+    "slerp_angle": fixed(slerp_angle(), "°"),
+    "lerp_angle": fixed(lerp_angle(), "°"),
+    "eighth_way": fixed(PART * WAY / 2, "°"),
+    "lerp_length": fixed(float(np.linalg.norm(lerp(ONE, WAY_END, 0.5)))),
+    "far": fixed(FAR, "°"),
+    "short": fixed(TURN - FAR, "°"),
+    "far_q": as_sum(lambda: FAR_END),
+    "minus_far_q": as_sum(lambda: -FAR_END),
+    "far_dot": fixed(float(ONE @ FAR_END)),
+    "long_middle": fixed(FAR / 2, "°"),
+    "short_middle": fixed((FAR - TURN) / 2, "°"),
+    "missing": fixed(MISSING, "°"),
+    "half_missing": fixed(MISSING / 2, "°"),
+    "half_sine": fixed(sin(MISSING / 2), decimals=1),
     "difference": Value(typeset(difference), decimals=2),
     "error": Value(error),
     "still": Value(lambda state, seat: QUARTER - state.arm.q[ABOUT_Z], "°"),
-    "beyond": number(BEYOND, "°"),
-    "back": number(TURN - BEYOND, "°"),
+    "beyond": fixed(BEYOND, "°"),
+    "back": fixed(TURN - BEYOND, "°"),
 }
 
 

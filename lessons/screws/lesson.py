@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from math import pi, radians, sin
 
@@ -15,7 +14,7 @@ from helicoide.geometry import motor, rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.motor import ScrewDisplacement
 from helicoide.kinematics.forward import tool_by_screws
-from helicoide.lesson import Choice, Diagnosis, Estimate, Order, Shown, Step, StepGoal, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Order, Shown, Step, StepGoal, Value, fixed
 from helicoide.seat import Seat, Selection
 from helicoide.state import State
 from helicoide.text import Text
@@ -180,15 +179,10 @@ def half_turned(state: State, seat: Seat) -> bool:
     return bool(screw_from_base(state).angle >= HALF_TURN) and rests(state)
 
 
-def fixed(number: float) -> Callable[[State, Seat], float]:
-    """A value that does not change."""
-    return lambda state, seat: number
-
-
 VALUES = {
-    "moved": Value(fixed(MOVED), "°"),
-    "turned": Value(fixed(TURNED), "°"),
-    "within": Value(fixed(WITHIN), "°"),
+    "moved": fixed(MOVED, "°"),
+    "turned": fixed(TURNED, "°"),
+    "within": fixed(WITHIN, "°"),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
     "radius": Value(lambda state, _: radius(state), "mm"),
     "chord": Value(chord, "mm"),
@@ -199,21 +193,21 @@ VALUES = {
     "slide": Value(lambda state, _: float(screw_from_base(state).displacement), "mm"),
     "pitch": Value(lambda state, _: 1e3 * float(screw_from_base(state).pitch), "mm/rad", 0),
     "lead": Value(lambda state, _: 2 * pi * float(screw_from_base(state).pitch), "mm"),
-    "long": Value(fixed(LONG), "mm"),
-    "least_pitch": Value(fixed(1e3 * LEAST_PITCH), "mm/rad", 0),
-    "most_pitch": Value(fixed(1e3 * MOST_PITCH), "mm/rad", 0),
-    "both": Value(fixed(BOTH), "°"),
-    "slid": Value(fixed(SLID), "mm"),
-    "level": Value(fixed(NO_TURN), "°", 1),
+    "long": fixed(LONG, "mm"),
+    "least_pitch": fixed(1e3 * LEAST_PITCH, "mm/rad", 0),
+    "most_pitch": fixed(1e3 * MOST_PITCH, "mm/rad", 0),
+    "both": fixed(BOTH, "°"),
+    "slid": fixed(SLID, "mm"),
+    "level": fixed(NO_TURN, "°", 1),
     "shoulder_turn": Value(lambda state, _: turned_by(state, SHOULDER), "°"),
     "elbow_turn": Value(lambda state, _: turned_by(state, ELBOW), "°"),
     "waist_turn": Value(lambda state, _: turned_by(state, WAIST), "°"),
     "whole_turn": Value(lambda state, _: float(screw_from_ready(state).angle), "°"),
     "whole_slide": Value(lambda state, _: float(screw_from_ready(state).displacement), "mm"),
     "apart": Value(lambda state, _: state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0], "mm"),
-    "half_turn": Value(fixed(HALF_TURN), "°"),
-    "over": Value(fixed(OVER), "°"),
-    "under": Value(fixed(2 * pi - OVER), "°"),
+    "half_turn": fixed(HALF_TURN, "°"),
+    "over": fixed(OVER, "°"),
+    "under": fixed(2 * pi - OVER, "°"),
 }
 
 STEPS = (

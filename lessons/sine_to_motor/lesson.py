@@ -8,16 +8,31 @@ from math import cos, radians, sin
 import numpy as np
 
 from helicoide import gate
-from helicoide.arrays import Array
-from helicoide.geometry import rigid
-from helicoide.geometry.clifford import CL031
-from helicoide.geometry.multivector import Multivector
-from helicoide.kinematics.forward import tool_motor
-from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Estimate, Mark, Shown, Step
 from helicoide.lines import GivenName, LineExercise
 from helicoide.seat import Seat
 from helicoide.state import State, Update
 from helicoide.text import Text
+
+from .values import (
+    ABOUT_X,
+    ABOUT_Y,
+    ABOUT_Z,
+    ALONG_X,
+    ALONG_Y,
+    ALONG_Z,
+    FIRST_TURN,
+    HALF,
+    QUARTER,
+    SHIFT,
+    TILT,
+    TRIED,
+    Y_AXIS,
+    facing,
+    motor,
+    wanted,
+)
+from .values import VALUES as VALUES
 
 TITLE = Text(en="From sine to motor", pt_BR="Do seno ao motor")
 ABOUT = Text(
@@ -29,17 +44,8 @@ SOURCES = (
     "Cerbaro 2022: eqs. 76–78, 88, 89 (quaternions), 96–99 (motors)",
     "Cerbaro 2022: eq. 95, corrected: a sandwich moves points, lines and planes, a product from the left moves poses",
 )
-
-ALONG_Z, ALONG_Y, ALONG_X, ABOUT_Z, ABOUT_Y, ABOUT_X = range(6)
 NEAR, NEAR_ANGLE, NEAR_LENGTH = 0.02, radians(2.0), 0.005
-HALF = 0.5
-FIRST_TURN = radians(50.0)
-QUARTER = radians(90.0)
-TRIED = radians(120.0)
-TILT = radians(60.0)
-SHIFT = 0.200
 UNTOUCHED = radians(5.0)
-X_AXIS, Y_AXIS, Z_AXIS = np.eye(3)
 
 
 def start(state: State) -> State:
@@ -70,11 +76,6 @@ def only(state: State, joint: int, value: float) -> bool:
 def is_only(joint: int, value: float) -> Callable[[State, Seat], bool]:
     """`only`, as a goal or a diagnosis."""
     return lambda state, seat: only(state, joint, value)
-
-
-def facing(state: State, axis: int = 0) -> Array:
-    """Where an axis of the body points, (3,)."""
-    return np.asarray(state.T_world_tool[:3, axis])
 
 
 def flat(state: State) -> bool:
@@ -171,28 +172,6 @@ def is_at(x: float, y: float, about_z: float) -> Callable[[State, Seat], bool]:
     return rests
 
 
-def product(*motors: Array) -> Multivector:
-    """The product of motors, from the left to the right."""
-    whole = CL031.blade("1")
-    for one in motors:
-        whole = CL031.product(whole, one)
-    return Multivector(whole, CL031)
-
-
-TURN_Z, TURN_X = rigid.rotor(Z_AXIS, QUARTER), rigid.rotor(X_AXIS, QUARTER)
-SHIFT_X = rigid.translator(SHIFT * X_AXIS)
-
-
-def wanted() -> Multivector:
-    """The motor that a reader brings the body to: a turn about x, then a shift along z."""
-    return product(rigid.translator(SHIFT * Z_AXIS), rigid.rotor(X_AXIS, TILT))
-
-
-def motor(state: State, seat: Seat) -> Multivector:
-    """The motor of the body: the product of those of its joints, with its sign."""
-    return Multivector(tool_motor(state.robot, state.arm.q), CL031)
-
-
 def motor_is_wanted(state: State, seat: Seat) -> bool:
     """The motor of the body is the wanted one, or its negative."""
     now = motor(state, seat).values
@@ -211,56 +190,6 @@ def raised(height: float, about_x: float) -> Update:
     """Ask for a height, m, and a turn about x, rad."""
     return gate.set_joints([height, 0.0, 0.0, 0.0, 0.0, about_x])
 
-
-def fixed(value: float | Array | Multivector) -> Callable[[State, Seat], float | Array | Multivector]:
-    """A value that does not change."""
-    return lambda state, seat: value
-
-
-def computed(value: Callable[[], Multivector], decimals: int | None = None) -> Value:
-    """A multivector that does not change, computed when it is shown: products need the kernels."""
-    return Value(lambda state, seat: value(), decimals=decimals)
-
-
-VALUES = {
-    "angle_z": Value(lambda state, _: state.arm.q[ABOUT_Z], "°"),
-    "facing": Value(lambda state, _: facing(state)[:2]),
-    "x": Value(lambda state, _: facing(state)[0]),
-    "y": Value(lambda state, _: facing(state)[1]),
-    "half": Value(fixed(HALF), decimals=1),
-    "first_turn": Value(fixed(FIRST_TURN), "°"),
-    "twice": Value(fixed(2 * FIRST_TURN), "°"),
-    "mirrored": Value(fixed(np.pi - 2 * FIRST_TURN), "°"),
-    "cos_first": Value(fixed(cos(FIRST_TURN))),
-    "sin_first": Value(fixed(sin(FIRST_TURN))),
-    "twice_sine": Value(fixed(2 * sin(FIRST_TURN))),
-    "squared": Value(
-        fixed(np.array([cos(FIRST_TURN) ** 2 - sin(FIRST_TURN) ** 2, 2 * cos(FIRST_TURN) * sin(FIRST_TURN)]))
-    ),
-    "motor": Value(motor, decimals=2),
-    "scalar": Value(lambda state, seat: motor(state, seat)["1"]),
-    "quarter": Value(fixed(QUARTER), "°"),
-    "eighth": Value(fixed(QUARTER / 2), "°"),
-    "quarter_rotor": computed(lambda: product(TURN_Z), decimals=2),
-    "tried": Value(fixed(TRIED), "°"),
-    "half_tried": Value(fixed(TRIED / 2), "°"),
-    "tried_scalar": Value(fixed(cos(TRIED / 2)), decimals=1),
-    "tilt": Value(fixed(TILT), "°"),
-    "half_tilt": Value(fixed(TILT / 2), "°"),
-    "tilt_rotor": computed(lambda: product(rigid.rotor(Y_AXIS, TILT)), decimals=2),
-    "z_then_x": computed(lambda: product(TURN_Z, TURN_X), decimals=2),
-    "x_then_z": computed(lambda: product(TURN_X, TURN_Z), decimals=2),
-    "shift": Value(fixed(SHIFT), "mm"),
-    "half_shift": Value(fixed(SHIFT / 2), "mm"),
-    "shift_m": Value(fixed(SHIFT), "m", 1),
-    "half_shift_m": Value(fixed(SHIFT / 2), decimals=1),
-    "shift_y": computed(lambda: product(rigid.translator(SHIFT * Y_AXIS)), decimals=2),
-    "shift_turned": computed(lambda: product(SHIFT_X, TURN_Z), decimals=2),
-    "turn_shifted": computed(lambda: product(TURN_Z, SHIFT_X), decimals=2),
-    "wanted": computed(wanted),
-    "half_length": Value(lambda state, _: float(np.linalg.norm(rigid.null_part(wanted().values))), decimals=1),
-    "now": Value(motor),
-}
 
 TURNED_AND_SHIFTED = LineExercise(
     "motor",

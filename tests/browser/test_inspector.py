@@ -10,7 +10,7 @@ import pytest
 from PIL import Image, ImageChops
 from playwright.sync_api import Page
 from tests.browser.lab import Lab, pixels, press, speak, tab, until
-from tests.browser.test_readable import remaining
+from tests.browser.readable import remaining
 
 from helicoide import gate, readout
 from helicoide.arrays import Array

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import window
 from tests.browser.furnished import furnish, reseat, unfold
 from tests.browser.lab import Lab, pixels, speak, tab, until
+from tests.browser.readable import remaining
 
 from helicoide import content
 from helicoide.readout.matrices import NamedMatrix
@@ -21,7 +21,6 @@ from helicoide.view import panels
 from helicoide.view.matrix_rows import written_matrix
 from helicoide.view.top_rows import LOOK, PROJECTOR, with_dark
 
-FINDINGS = Path(__file__).with_name("readable.js").read_text("utf-8")
 IN_VIEW = """element => { const spot = element.getBoundingClientRect();
   return spot.top >= 0 && spot.bottom <= innerHeight && spot.left >= 0 && spot.right <= innerWidth }"""
 WRITE = "html => { document.querySelector('.helicoide-matrix').outerHTML = html }"
@@ -47,15 +46,6 @@ def page(browser: Browser, lab: Lab, request: pytest.FixtureRequest) -> Iterator
             page.wait_for_selector("html[data-projector]")
             page.get_by_text(LOOK.en, exact=True).click()
         yield page
-
-
-def remaining(page: Page, touch: bool) -> list[str]:
-    """What is found once the page has fitted its formulas and named its controls, which it does with a delay."""
-    for _ in range(10):
-        page.wait_for_timeout(300)
-        if not (findings := page.evaluate(FINDINGS, touch)):
-            break
-    return list(findings)
 
 
 def widest(columns: int, language: Language) -> Markup:

@@ -62,6 +62,13 @@ MISTAKES: dict[str, tuple[Kind, str, str, str, list[str]]] = {
     "other formulas": ("lesson", "en.md", "the whole arm beyond", "$2q_1$ beyond", ["other formulas"]),
     "no formula": ("lesson", "en.md", "the whole arm beyond", r"$\nosuch$ $a_b_c$ beyond", ["cannot show the formula"]),
     "no value": ("lesson", "lesson.py", 'ANGLE, "°"', "float('nan'), \"°\"", ["the value angle is no finite number"]),
+    "computed at load": (
+        "lesson",
+        "lesson.py",
+        'ROBOT = "planar3r"',
+        'from helicoide.geometry import rigid\nROBOT = "planar3r"\nrigid.screw_motor([0, 0, 1], [0, 0, 0], 0.3)',
+        ["lesson.py", "line 17", "computes while the file is loaded"],
+    ),
     "no wrong path": ("lesson", "lesson.py", "((gate.set_joint(ELBOW, -ANGLE), 3.0),)),", "()),", ["no wrong path"]),
     "another mistake": ("lesson", "lesson.py", "ELBOW, -ANGLE", "ELBOW, 0.5 * ANGLE", ["does not lead to it"]),
     "no mistake": ("lesson", "lesson.py", "ELBOW, -ANGLE", "ELBOW, ANGLE", ["wrong path reaches the goal"]),

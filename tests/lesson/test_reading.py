@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -48,6 +50,32 @@ def test_a_lesson_of_ones_own_is_found(folder: Path) -> None:
     assert (tour.about.en, tour.needs, tour.sources, tour.own_arm) == ("", (), (), False)
     assert (first.title.en, first.body.pt_BR, first.hint.en) == ("One", "Text.\n\nMore.", "Hint\non two lines.")
     assert lesson.load_lesson("tour") is tour
+
+
+def test_a_long_lesson_has_further_files_which_are_read_anew(folder: Path) -> None:
+    for title in ("Tour", "Another tour"):
+        (folder / "words.py").write_text(f"NAME = {title!r}", encoding="utf-8")
+        (folder / "lesson.py").write_text(
+            GOOD.replace('untranslated("Tour")', "untranslated(NAME)").replace("\n", "\nfrom .words import NAME\n", 1),
+            encoding="utf-8",
+        )
+        assert lesson.read_lesson("tour").title.en == title
+
+
+def test_a_long_lesson_is_read_in_many_threads_at_once(folder: Path) -> None:
+    (folder / "words.py").write_text("NAME = 'Tour'", encoding="utf-8")
+    (folder / "lesson.py").write_text("from .words import NAME\n" + GOOD, encoding="utf-8")
+    with ThreadPoolExecutor(8) as threads:
+        assert {one.title.en for one in threads.map(lesson.read_lesson, ["tour"] * 64)} == {"Tour"}
+    assert not [name for name in sys.modules if name.startswith("helicoide_lessons.tour")]
+
+
+@pytest.mark.parametrize(("text", "said"), [("\n1 / 0", "line 2 stops with ZeroDivisionError"), ("(", "no Python")])
+def test_a_fault_in_a_further_file_is_found_there(folder: Path, text: str, said: str) -> None:
+    (folder / "words.py").write_text(text, encoding="utf-8")
+    (folder / "lesson.py").write_text("from .words import NAME\n" + GOOD, encoding="utf-8")
+    with pytest.raises(HelicoideError, match=rf"words\.py is not a valid lesson.*{said}"):
+        lesson.read_lesson("tour")
 
 
 BROKEN = {
@@ -143,6 +171,7 @@ STEPS = (
     Step(
         "first",
         lambda state: state,
+        lambda state, seat: False,
         prediction=Choice(right=1),
         diagnoses=(Diagnosis("slip", lambda state, seat: False, ()),),
     ),
@@ -218,6 +247,7 @@ def test_a_page_that_does_not_match_its_steps_is_refused(full: Path, case: str) 
         ('NEEDS = ("drive_the_arm",)', 'NEEDS = "drive_the_arm"', "NEEDS is of another type"),
         ("OWN_ARM = True", "OWN_ARM = 1", "OWN_ARM is of another type"),
         ("VALUES = {", "VALUES = {'a': 1, ", "VALUES is of another type"),
+        ("        lambda state, seat: False,\n", "", "begins with '! '"),
         ("Choice(right=1)", "None", "no prediction in lesson.py"),
         ("Choice(right=1)", "Choice(right=2)", "needs at least 3"),
         ("Choice(right=1)", "Order(right=(0, 1))", "in the right order already"),

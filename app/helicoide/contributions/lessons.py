@@ -8,7 +8,7 @@ from itertools import chain
 
 import numpy as np
 
-from helicoide import content, gate, lesson
+from helicoide import content, gate, kernels, lesson
 from helicoide.contributions.lesson_names import name_faults
 from helicoide.contributions.lesson_playing import LONGEST, done, played, settled
 from helicoide.contributions.lesson_values import value_faults
@@ -24,6 +24,11 @@ from helicoide.text import HelicoideError, Text
 from helicoide.view.window import new_seat
 
 BETWEEN = 0.2  # s between two looks at a goal that has to hold
+AT_LOAD = Text(
+    en="it computes while the file is loaded, when the kernels may not be there; use a function, as fixed(lambda: …)",
+    pt_BR="faz contas enquanto o arquivo é carregado, quando os kernels podem faltar; use uma função, como "
+    "fixed(lambda: …)",
+)
 OF_STEP = Text(en="step {step}: {what}", pt_BR="passo {step}: {what}")
 MOVES = Text(
     en="its setup moves the arm by itself; it may only ask, by functions of gate",
@@ -77,7 +82,8 @@ class _Wrong(Exception):
 def faults(name: str) -> tuple[Text, ...]:
     """The faults of a lesson, by the name of its folder. Its steps are played."""
     try:
-        found = lesson.load_lesson(name)
+        with kernels.run_none(HelicoideError(AT_LOAD)):
+            found = lesson.read_lesson(name)
         robot = load_robot(found.robot)
     except HelicoideError as error:
         return (error.text,)

@@ -12,7 +12,7 @@ from numba.core import event, sigutils, types
 
 from helicoide.kernels import cache_folder
 from helicoide.kernels.cache import KernelCache, NotCached, only_cached, read_sealed
-from helicoide.kernels.interpreted import Interpretable, run_compiled, run_interpreted
+from helicoide.kernels.interpreted import Interpretable, run_compiled, run_interpreted, run_none
 
 __all__ = [
     "CACHE_FOLDER",
@@ -29,6 +29,7 @@ __all__ = [
     "python_function",
     "run_compiled",
     "run_interpreted",
+    "run_none",
     "typed_entry",
 ]
 

@@ -58,3 +58,20 @@ def run_interpreted() -> Iterator[None]:
         yield
     finally:
         Interpretable.interpret(before)
+
+
+@contextmanager
+def run_none(refusal: Exception) -> Iterator[None]:
+    """Within this context no kernel runs: each call of one raises `refusal`, in every thread."""
+
+    def refused(kernel: Any, *args: Any) -> Any:
+        raise refusal
+
+    before = vars(Interpretable).get("__call__")
+    Interpretable.__call__ = refused  # type: ignore[method-assign, assignment]
+    try:
+        yield
+    finally:
+        del Interpretable.__call__
+        if before is not None:
+            Interpretable.__call__ = before  # type: ignore[method-assign]

@@ -19,10 +19,10 @@ from helicoide.lesson.progress import (
     with_accepted_line,
 )
 from helicoide.lesson.prose import Prose, paragraphs, placeholders
-from helicoide.lesson.reading import all_lessons, load_lesson
+from helicoide.lesson.reading import all_lessons, load_lesson, read_lesson
 from helicoide.lesson.shown import with_step_shown, without_step_shown
 from helicoide.lesson.step import AtSeat, Diagnosis, Shown, Solution, Step, StepGoal
-from helicoide.lesson.values import Value, in_unit, measured_text
+from helicoide.lesson.values import Value, fixed, in_unit, measured_text
 from helicoide.lesson.watching import StepWatch, is_goal_met, judged_step, mistake_made
 from helicoide.seat import LessonProgress, PredictionAnswer
 
@@ -49,6 +49,7 @@ __all__ = [
     "circle_of_needs",
     "course_levels",
     "entered",
+    "fixed",
     "in_course_order",
     "in_unit",
     "is_goal_met",
@@ -61,6 +62,7 @@ __all__ = [
     "paragraphs",
     "placeholders",
     "progressed",
+    "read_lesson",
     "restarted",
     "revealed",
     "right_answer",

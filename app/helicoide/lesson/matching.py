@@ -28,6 +28,12 @@ NO_PREDICTION = Text(
     en="it has a question or a '! ' paragraph, but no prediction in lesson.py",
     pt_BR="há uma pergunta ou um parágrafo com '! ', mas nenhuma previsão em lesson.py",
 )
+EARLY = Text(
+    en="a step that is done by its prediction has no task: what comes after the question begins with '! ', or else it "
+    "is read before the answer",
+    pt_BR="um passo que se conclui pela previsão não tem tarefa: o que vem depois da pergunta começa com '! ', senão "
+    "é lido antes da resposta",
+)
 OPTIONS = Text(
     en="its question has {n} options, lines that begin with '- ', and needs {needed}",
     pt_BR="a pergunta tem {n} opções, linhas iniciadas por '- ', e precisa de {needed}",
@@ -93,6 +99,8 @@ def _section_faults(lesson: Lesson, step: Step, section: Section) -> Iterator[Te
             yield NO_PREDICTION
     elif not section.question or not section.reveal:
         yield NO_QUESTION
+    if step.by_answer and section.task:
+        yield EARLY
     yield from _option_faults(step, len(section.options))
     for diagnosis in step.diagnoses:
         if not section.hints.get(diagnosis.id):

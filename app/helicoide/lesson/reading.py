@@ -1,12 +1,19 @@
-"""Read lessons: `lesson.py` and the pages of a folder, which have to match. What is wrong is said in words."""
+"""Read lessons: `lesson.py` and the pages of a folder, which have to match. What is wrong is said in words.
+
+The folder is a package, so that a long `lesson.py` can import from other files in it: `from .values import VALUES`.
+"""
 
 from __future__ import annotations
 
+import importlib
 import logging
+import sys
+import traceback
 from base64 import b64encode
 from collections.abc import Mapping
 from functools import cache
 from importlib.machinery import SourceFileLoader
+from itertools import count
 from pathlib import Path
 from types import ModuleType
 
@@ -22,6 +29,7 @@ from helicoide.lesson.step import Step
 from helicoide.lesson.values import Value
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text, untranslated
 
+READINGS = count()
 MOST_BYTES, LARGEST_PICTURE = 1_000_000, 400_000
 KINDS = {".svg": "", ".png": "image/png", ".jpg": "image/jpeg", ".webp": "image/webp"}
 _STEPS = Text(
@@ -47,6 +55,11 @@ log = logging.getLogger("helicoide")
 
 @cache
 def load_lesson(name: str) -> Lesson:
+    """A lesson by the name of its folder, read once. Raises HelicoideError as `read_lesson`."""
+    return read_lesson(name)
+
+
+def read_lesson(name: str) -> Lesson:
     """A lesson by the name of its folder. Raises HelicoideError if a file is invalid or if the files do not match."""
     folder = content.content_folder("lessons", name)
     found = _read_module(folder / "lesson.py", name)
@@ -84,12 +97,19 @@ def _broken(path: Path, reason: Text) -> HelicoideError:
 
 def _read_module(path: Path, name: str) -> Lesson:
     """A lesson.py, without prose. Raises HelicoideError with the line if the file raises anything."""
-    loader = SourceFileLoader(f"helicoide_lessons.{name}", str(path))
-    module = ModuleType(loader.name)
+    package = f"helicoide_lessons.{name}_{next(READINGS)}"  # a name of its own, since files may have changed
+    loader = SourceFileLoader(package, str(path))
+    module = sys.modules[package] = ModuleType(package)
+    module.__package__, module.__path__ = package, [str(path.parent)]
+    importlib.invalidate_caches()
     try:
         loader.exec_module(module)
     except (Exception, SystemExit) as error:
-        raise _broken(path, stopped(path, error)) from error
+        file = _raised_in(path, error)
+        raise _broken(file, stopped(file, error)) from error
+    finally:
+        for imported in [one for one in list(sys.modules) if one == package or one.startswith(f"{package}.")]:
+            del sys.modules[imported]
     title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
     if robot not in content.content_folders("robots"):
         raise _broken(path, _ROBOT.format(robots=", ".join(content.content_folders("robots"))))
@@ -98,6 +118,14 @@ def _read_module(path: Path, name: str) -> Lesson:
     if len({step.id for step in steps}) < len(steps):
         raise _broken(path, _TWICE.format(steps=", ".join(step.id for step in steps)))
     return _with_options(Lesson(name, title, robot, steps, {}), module, path)
+
+
+def _raised_in(path: Path, error: BaseException) -> Path:
+    """The file at which an error was raised, if it is of the folder of the lesson, else its lesson.py."""
+    raised = [frame.filename for frame in traceback.extract_tb(error.__traceback__)]
+    if isinstance(error, SyntaxError) and error.filename is not None:
+        raised.append(error.filename)
+    return next((file for file in map(Path, reversed(raised)) if file.parent == path.parent), path)
 
 
 def _with_options(lesson: Lesson, module: ModuleType, path: Path) -> Lesson:

@@ -31,6 +31,15 @@ class Value:
     decimals: int | None = None
 
 
+def fixed(
+    value: float | Array | Multivector | Callable[[], float | Array | Multivector],
+    unit: str = "",
+    decimals: int | None = None,
+) -> Value:
+    """A value that does not change. A function is called when it is shown: products need the kernels."""
+    return Value(lambda state, seat: value() if callable(value) else value, unit, decimals)
+
+
 def in_unit(number: float, unit: str) -> float:
     """A number in SI units or rad, in the unit."""
     return number * FACTORS.get(unit, 1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 
 from helicoide import gate
-from helicoide.lesson import Choice, Diagnosis, Step, Value
+from helicoide.lesson import Choice, Diagnosis, Step, Value, fixed
 from helicoide.seat import Seat
 from helicoide.state import State
 from helicoide.text import Text
@@ -34,7 +34,7 @@ def bent_back(state: State, seat: Seat) -> bool:
 
 # What {angle} and {elbow} in the pages stand for. A number that the program knows is never typed into a page.
 VALUES = {
-    "angle": Value(lambda state, seat: ANGLE, "°"),
+    "angle": fixed(ANGLE, "°"),
     "elbow": Value(lambda state, seat: state.arm.q[ELBOW], "°"),
 }
 

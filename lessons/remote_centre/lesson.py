@@ -104,7 +104,7 @@ STEPS = (
         ((tip_target(0.06, 0.0), 3.0),),
         prediction=Choice(right=1, reveal="done"),
         diagnoses=(UNHELD, Diagnosis("along", tip_along, ((tip_target(0.0, -0.06), 3.0),))),
-        shown=Shown(layers=("shaft",), camera="first"),
+        shown=Shown(camera="front"),
     ),
     Step(
         "lever",
@@ -116,9 +116,9 @@ STEPS = (
             Diagnosis("pulled_out", pulled_out, ((tip_target(0.0, -0.06), 3.0),)),
             Diagnosis("swung", only_swung, ((tip_target(0.06, 0.0), 3.0),)),
         ),
-        shown=Shown(layers=("shaft",), camera="first"),
+        shown=Shown(layers=("shaft",), camera="front"),
     ),
-    Step("residue", start, line=RESIDUE, shown=Shown(layers=("shaft",), camera="first")),
+    Step("residue", start, line=RESIDUE, shown=Shown(layers=("shaft",), camera="front")),
     Step(
         "who_holds",
         start,
@@ -130,7 +130,7 @@ STEPS = (
             Diagnosis("followed", rod_followed, ((tip_target(0.0, 0.0), 1.0), (entry_at(0.03, 0.0), 3.0))),
             Diagnosis("slid", entry_along, ((entry_at(0.0, 0.05), 1.5),)),
         ),
-        shown=Shown(layers=("shaft",), camera="first"),
+        shown=Shown(layers=("shaft",), camera="front"),
     ),
     Step(
         "breathing",
@@ -143,7 +143,7 @@ STEPS = (
             Diagnosis("resting", rod_beside, ((entry_at(0.03, 0.0), 1.5),)),
             Diagnosis("slid", entry_along, ((tip_target(0.0, 0.0), 1.0), (entry_at(0.0, 0.05), 2.0))),
         ),
-        shown=Shown(layers=("shaft",), camera="first"),
+        shown=Shown(layers=("shaft",), camera="front"),
         charts=("entry distance",),
     ),
     Step(
@@ -157,7 +157,7 @@ STEPS = (
             Diagnosis("not_asked", not_asked, ((tip_target(0.06, 0.0), 3.0),)),
             Diagnosis("along", tip_along, ((gate.keep_orientation(True), 0.5), (tip_target(0.0, 0.06), 3.0))),
         ),
-        shown=Shown(layers=("shaft",), camera="first", tab="robot"),
+        shown=Shown(layers=("shaft",), camera="front", tab="robot"),
     ),
     Step(
         "alone",
@@ -167,14 +167,14 @@ STEPS = (
         joints=(SWING, ELBOW, SPIN),
         prediction=Choice(right=2, reveal="done"),
         diagnoses=(Diagnosis("stuck", stuck, ((gate.set_joint(SWING, radians(40.0)), 2.5),)),),
-        shown=Shown(layers=("shaft", "axes"), camera="first"),
+        shown=Shown(layers=("shaft", "axes"), camera="front"),
     ),
     Step(
         "explore",
         start,
         is_open=True,
         joints=(SPIN,),
-        shown=Shown(layers=("shaft",), camera="first"),
+        shown=Shown(layers=("shaft",), camera="front"),
         charts=("entry distance", "shaft outside"),
     ),
 )

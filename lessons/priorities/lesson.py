@@ -122,7 +122,7 @@ STEPS = (
         free_joints_swung,
         ((target_here, 6.0),),
         prediction=Choice(right=2, reveal="done"),
-        shown=Shown(camera="first", tab="robot"),
+        shown=Shown(camera="top", tab="robot"),
     ),
     Step(
         "heavier",
@@ -134,7 +134,7 @@ STEPS = (
             Diagnosis("free", turn_is_free, ((gate.weigh_objective(500.0), 0.5), (target_here, 6.0))),
             Diagnosis("no_target", no_target, ((gate.keep_orientation(True), 0.5), (gate.weigh_objective(500.0), 2.0))),
         ),
-        shown=Shown(camera="first", tab="method"),
+        shown=Shown(camera="top", tab="method"),
     ),
     Step(
         "row",
@@ -143,7 +143,7 @@ STEPS = (
         ((target_here, 6.0), (gate.objective_as_row(True), 6.0)),
         prediction=Choice(right=1, reveal="done"),
         diagnoses=(Diagnosis("last", still_last, ((target_here, 7.0),)),),
-        shown=Shown(camera="first", tab="method"),
+        shown=Shown(camera="top", tab="method"),
         charts=("position error",),
     ),
     Step(
@@ -154,14 +154,14 @@ STEPS = (
         held_for=0.5,
         prediction=Order(right=(2, 1, 0, 3), reveal="done"),
         diagnoses=(Diagnosis("away", away_from_ball, ((target_at(0.40, -0.15, 0.25), 5.0),)),),
-        shown=Shown(camera="first", tab="robot"),
+        shown=Shown(camera="top", tab="robot"),
     ),
     Step(
         "explore",
         start_beside_ball,
         is_open=True,
         joints=(0, 3),
-        shown=Shown(camera="first", tab="method"),
+        shown=Shown(camera="top", tab="method"),
         charts=("position error",),
     ),
 )

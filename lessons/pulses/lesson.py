@@ -155,7 +155,7 @@ STEPS = (
         joints=(PITCH, ROLL),
         prediction=Choice(right=2, reveal="done"),
         diagnoses=(Diagnosis("lowered", pitch_lowered, ((gate.set_joint(PITCH, radians(-60.0)), 3.0),)),),
-        shown=Shown(layers=("axes",), camera="tool"),
+        shown=Shown(layers=("axes",), camera="side"),
     ),
     Step("read_back", start, line=READ_BACK, joints=(PITCH, ROLL)),
     Step(
@@ -172,7 +172,7 @@ STEPS = (
                 ((gate.set_joint(PITCH, radians(60.0)), 2.5), (gate.set_joint(ROLL, radians(100.0)), 3.0)),
             ),
         ),
-        shown=Shown(layers=("axes",), camera="tool"),
+        shown=Shown(layers=("axes",), camera="side"),
     ),
     Step(
         "homing",

@@ -49,7 +49,7 @@ from .goals import (
     turned,
 )
 
-TITLE = Text(en="Remote centre of motion", pt_BR="Centro remoto de movimento")
+TITLE = Text(en="Remote centre", pt_BR="Centro remoto")
 ABOUT = Text(
     en="A rod through a small hole: hand and tip move opposite ways, two rows hold the rod, and they cost two joints.",
     pt_BR="Uma haste por um furo pequeno: a mão e a ponta vão em sentidos opostos, duas linhas da tarefa seguram a "

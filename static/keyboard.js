@@ -1,5 +1,5 @@
 // Keyboard and screen reader: names and tab stops that viser does not set, and arrow keys with the steps of a teach
-// pendant: 1 (degree, millimetre), 0.1 with Alt, 10 with Shift.
+// pendant: 1 (degree, millimetre), 0.1 with Alt, 10 with Shift. Enter sends a text field.
 "use strict";
 
 (() => {
@@ -19,6 +19,7 @@
   const TEXT_FIELDS = "textarea, [contenteditable], input:not([type=checkbox], [readonly])";
   const FOLDED = ".tabler-icon-chevron-down";
   const SHORT_RANGE = 20; // sliders with a smaller range keep viser's own steps
+  const TYPED_IS_SENT = 150; // ms
   const OWN_STEPS = 10; // steps of viser, 0.1 each, in one step of 1
 
   function set(element, name, value) {
@@ -126,6 +127,14 @@
     heading.click();
   }
 
+  // Enter in a text field presses the button below it, as in a form; later, since viser sends what is typed with a delay.
+  function pressButtonBelow(event) {
+    if (event.key !== "Enter" || event.isComposing || !event.target.matches?.(".mantine-TextInput-input")) return;
+    const row = event.target.closest(".mantine-Flex-root")?.parentElement;
+    const button = row?.nextElementSibling?.querySelector("button");
+    if (button) setTimeout(() => button.click(), TYPED_IS_SENT);
+  }
+
   window.addEventListener("keydown", stepSlider, true);
   window.addEventListener("keydown", stepTarget, true);
   window.addEventListener("keyup", (event) => (drag?.code === event.code || event.key === "Meta") && endDrag(), true);
@@ -133,6 +142,7 @@
   window.addEventListener("helicoide-deaf", () => (drag = null)); // the key has no effect until it is pressed again
   window.addEventListener("keydown", undo, true);
   window.addEventListener("keydown", openFolder, true);
+  window.addEventListener("keydown", pressButtonBelow);
   window.helicoideOnChange(nameControls);
   window.helicoideOnChange(nameScene);
 })();

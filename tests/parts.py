@@ -32,7 +32,7 @@ def to_test(arguments: list[str], lacking: dict[str, str]) -> Parts:
     others = " and ".join(f"not {mark}" for mark in sorted({"soak", "browser", *lacking}))
     parts = {**CODE, "tests": [*PYTEST, "-m", others, *arguments]}
     if "browser" not in lacking:
-        parts["browser"] = [*PYTEST, "-m", "browser", *arguments]
+        parts["browser"] = [*PYTEST, "-m", "browser and not soak", *arguments]
     return parts
 
 

@@ -10,10 +10,10 @@ import pytest
 from tests.test_architecture import FILES, LESSON_FILES, PACKAGE, name_of, tree
 
 OURS = {"HelicoideError", "ExpressionError", "Broken", "NotDrawn"}
-# Attributes of an error that may be read, and functions that may take it: those that give texts in both languages.
+# Attributes of an error that may be read, and functions that may take it: they give texts in both languages, or a path.
 ASKED = {"errno", "code", "lineno", "colno", "offset", "start", "end", "object", "text"}
 LOG = {"log.warning", "log.error"}
-TRANSLATORS = {"isinstance", "type", "os_error_reason", "database_reason", "stopped", "where_raised"}
+TRANSLATORS = {"isinstance", "type", "os_error_reason", "database_reason", "stopped", "raised_in", "where_raised"}
 # These translate errors of a package, pass an error to another process, and write the log.
 EXCEPT = {PACKAGE / "files" / "toml.py", PACKAGE / "jobs" / "parallel.py", PACKAGE / "view" / "news.py"}
 USUAL = {"error", "failure", "exception"}

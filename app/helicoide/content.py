@@ -18,7 +18,7 @@ from typing import Literal
 
 from platformdirs import user_data_path
 
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, untranslated
 
 ContentKind = Literal["robots", "lessons"]
 
@@ -30,6 +30,12 @@ IN_CHECKOUT = (_CHECKOUT / "pyproject.toml").is_file()
 SHIPPED = _CHECKOUT if IN_CHECKOUT else _PACKAGE
 STATIC = SHIPPED / "static"
 _MARKER_FILE: dict[ContentKind, str] = {"robots": "robot.toml", "lessons": "lesson.py"}
+_LESSON_FOLDERS = list[Path]()  # named by the user, besides the user's own folder
+NO_LESSONS = Text(
+    en="{folder} contains no lesson: name a folder that has a folder for each lesson, with its lesson.py.{instead}",
+    pt_BR="{folder} não contém lição: indique uma pasta que tenha uma pasta por lição, com o lesson.py.{instead}",
+)
+INSTEAD = Text(en=" Here that is {folder}.", pt_BR=" Aqui, essa pasta é {folder}.")
 
 
 def user_folder() -> Path:
@@ -39,8 +45,18 @@ def user_folder() -> Path:
 
 def content_folders(kind: ContentKind) -> dict[str, Path]:
     """Folders of one kind by name; a user's folder replaces a shipped one of the same name."""
-    roots = (SHIPPED / kind, user_folder() / kind)
+    roots = (SHIPPED / kind, user_folder() / kind, *(_LESSON_FOLDERS if kind == "lessons" else ()))
     return {file.parent.name: file.parent for root in roots for file in sorted(root.glob(f"*/{_MARKER_FILE[kind]}"))}
+
+
+def add_lessons(folder: Path) -> None:
+    """Find the lessons of a further folder too. Raises HelicoideError if there are none in it."""
+    folder = folder.expanduser().resolve()
+    marker = _MARKER_FILE["lessons"]
+    if not any(folder.glob(f"*/{marker}")):
+        instead = INSTEAD.format(folder=folder.parent) if (folder / marker).is_file() else untranslated("")
+        raise HelicoideError(NO_LESSONS.format(folder=folder, instead=instead))
+    _LESSON_FOLDERS.append(folder)
 
 
 def content_folder(kind: ContentKind, name: str) -> Path:

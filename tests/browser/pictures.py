@@ -25,11 +25,10 @@ from helicoide.view.top_rows import with_dark, with_projector
 FOLDER = content.STATIC / "pictures"
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 LOCALES = {"en": "en-US", "pt_BR": "pt-BR"}
-# Words on the page that no picture may show: notifications, refusals, errors, and what is still being computed.
-FLAWS = """() => {
+FAILURES = ".mantine-Notification-root, [role=alert], #helicoide-stop:not([data-link=up])"
+REFUSALS = ".helicoide-wrong, #helicoide-status[data-tone=warn], #helicoide-status[data-tone=lost]"
+FLAWS = """(wrong) => {
   const seen = (element) => element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
-  const wrong = ".mantine-Notification-root, [role=alert], .helicoide-wrong, #helicoide-status[data-tone=warn], " +
-    "#helicoide-status[data-tone=lost], #helicoide-stop:not([data-link=up])";
   const unfinished = /\\p{L}…|Traceback|\\bNaN\\b/u;
   const found = [...document.querySelectorAll(wrong)].filter(seen)
     .map((one) => (one.closest(".helicoide-line") ?? one).innerText);
@@ -42,13 +41,18 @@ class UnfitPictureError(Exception):
     """A page that shows something that no picture may show."""
 
 
+def flaws(page: Page, kinds: str = f"{FAILURES}, {REFUSALS}") -> list[str]:
+    """The words on the page that a picture may not show: of these kinds, errors, and what is still being computed."""
+    return list(page.evaluate(FLAWS, kinds))
+
+
 def photograph(page: Page, path: Path) -> None:
     """Save what the page shows, with few colours. Raises UnfitPictureError, and saves nothing, if it is unfit."""
-    flaws = page.evaluate(FLAWS)
+    found = flaws(page)
     shot = page.screenshot()
-    flaws += page.evaluate(FLAWS)
-    if flaws:
-        raise UnfitPictureError(f"{path.name} is not taken, since the page shows: {'; '.join(dict.fromkeys(flaws))}")
+    found += flaws(page)
+    if found:
+        raise UnfitPictureError(f"{path.name} is not taken, since the page shows: {'; '.join(dict.fromkeys(found))}")
     sheet.save_light(Image.open(io.BytesIO(shot)).convert("RGB"), path)
 
 

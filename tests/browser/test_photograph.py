@@ -11,7 +11,7 @@ from PIL import Image
 from playwright.sync_api import Page
 from tests.browser.conftest import SIZES
 from tests.browser.lab import Lab, tab, until
-from tests.browser.pictures import FLAWS, UnfitPictureError, photograph
+from tests.browser.pictures import UnfitPictureError, flaws, photograph
 
 from helicoide import gate
 from helicoide.seat import Seat
@@ -26,7 +26,7 @@ REFUSED = Text(en="That is out of reach.", pt_BR="Isso está fora do alcance.")
 @pytest.fixture
 def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
-    until(shared_page, lambda: shared_page.evaluate(FLAWS) == [])
+    until(shared_page, lambda: flaws(shared_page) == [])
     return shared_page
 
 

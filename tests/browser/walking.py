@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Locator, Page, expect
 from tests.browser.lab import Lab, tab, until
-from tests.browser.pictures import FLAWS
+from tests.browser.pictures import FAILURES, flaws
 from tests.browser.readable import remaining
 
 from helicoide.command import MoveToJoints
@@ -92,6 +92,7 @@ class Walk:
 
     def type(self, field: Locator, text: str) -> None:
         self.reach(self.page, field)
+        expect(field).to_be_focused()
         self.page.keyboard.press("Control+A")
         self.page.keyboard.type(text)
         self.page.keyboard.press("Enter")
@@ -135,6 +136,8 @@ class Walk:
                     self.type(docked.locator("input.mantine-NumberInput-input").nth(axis), f"{1e3 * point[axis]:.0f}")
                 self.press(ANSWER[self.language])
         until(self.page, lambda: self._answered(step))
+        expect(docked.get_by_role("button", name=ANSWER[self.language], exact=True)).to_have_count(0)
+        expect(docked.locator('[data-go^="answer:"], [data-go^="up:"]')).to_have_count(0)
 
     def _answered(self, step: Step) -> bool:
         progress = self.visitor.place.seat.lesson_progress
@@ -180,7 +183,7 @@ class Walk:
     def _look(self, title: str) -> None:
         """Take a picture, and note what is wrong on the page."""
         width = self.page.viewport_size["width"] if self.page.viewport_size else 0
-        found = [*self.page.evaluate(FLAWS), *remaining(self.page, width < 400)]
+        found = [*flaws(self.page, FAILURES), *remaining(self.page, width < 400)]
         picture = Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")
         left, upper, right, lower = (share * side for share, side in zip(SCENE, 2 * picture.size, strict=True))
         if len(picture.crop((int(left), int(upper), int(right), int(lower))).getcolors(10**6) or ()) < LEAST_COLOURS:

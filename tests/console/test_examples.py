@@ -55,6 +55,9 @@ PRINTED: dict[str, dict[str, tuple[Printed, float]]] = {
         "l3": ({}, 0),
         "wall_again": ({"e1": -0.7845, "e2": -0.1961, "e3": 0.5883, "e": 0.5883}, 5.1e-5),
     },
+    "station_frame": {
+        "S": ({"1": 0.866025, "e1e2": 0.5, "e1e": 0.216506, "e2e": -0.125}, 5e-7),  # 60°, then 0.5 m along x; ours
+    },
     "rigid_motion": {
         "h": ({"1": 0.7071, "e1e2": 0.7071, "e1e": 0.0353553, "e2e": -0.0353553}, 1.1e-5),  # eq. 100
         "unit_size": ({"1": 1}, 1e-12),  # eq. 97
@@ -83,7 +86,7 @@ PRINTED: dict[str, dict[str, tuple[Printed, float]]] = {
 
 def test_there_is_a_sheet_for_each_worked_example() -> None:
     assert example_sheets().keys() == PRINTED.keys()
-    assert len(PRINTED) == 8
+    assert len(PRINTED) == 9  # eight worked examples of the source, and the station of a lesson
 
 
 @pytest.mark.parametrize("name", PRINTED)

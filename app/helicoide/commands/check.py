@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 import tyro
 
-from helicoide import contributions
+from helicoide import content, contributions
 from helicoide.commands import NOT_REACHED, language
 from helicoide.text import Text
 
@@ -14,7 +15,7 @@ GOOD = Text(en="{what} {name}: no faults", pt_BR="{what} {name}: sem falhas")
 WRONG = Text(en="{what} {name}:", pt_BR="{what} {name}:")
 
 
-def run(name: tyro.conf.Positional[str | None] = None) -> None:
+def run(name: tyro.conf.Positional[str | None] = None, lessons: Path | None = None) -> None:
     """Check a robot, a lesson, a method or a study, shipped or your own, and say in words what is wrong with it.
 
     Robots: whether screws, DH rows and URDF agree, poses lie inside the limits, meshes are there. Lessons are played by
@@ -23,7 +24,10 @@ def run(name: tyro.conf.Positional[str | None] = None) -> None:
 
     Args:
         name: its name; all that there is if none, which takes minutes.
+        lessons: a folder with further lessons.
     """
+    if lessons is not None:
+        content.add_lessons(lessons)
     spoken, wrong = language(), False
     for kind, each in contributions.named(name):
         faults = contributions.faults(kind, each)

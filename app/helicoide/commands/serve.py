@@ -8,6 +8,7 @@ import signal
 import sys
 import threading
 import warnings
+from pathlib import Path
 from typing import Literal, NoReturn
 
 from helicoide import content, kernels
@@ -38,6 +39,7 @@ def run(
     origin: tuple[str, ...] = (),
     lang: Literal["en", "pt_BR"] | None = None,
     lesson: str | None = None,
+    lessons: Path | None = None,
     projector: bool = False,
     store: str | None = None,
 ) -> None:
@@ -53,10 +55,13 @@ def run(
         origin: further addresses at which browsers find the page, such as https://lab.example.org behind a proxy.
         lang: language of new windows, else what their browser asks for, and of this terminal.
         lesson: name of the lesson to begin with.
+        lessons: a folder with further lessons.
         projector: large words and handles in new windows, for the back row.
         store: where the progress in lessons is kept: a file, the URL of a database, or none; else a file in your own
             folder (see the command doctor).
     """
+    if lessons is not None:
+        content.add_lessons(lessons)
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
     arm = load_robot(robot or default, tip, set, base)
     register_robot(arm)

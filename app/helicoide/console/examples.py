@@ -1,4 +1,4 @@
-"""The example sheets in static/sheets, one for each worked example of Cerbaro 2022, chapter 5 and appendix F.
+"""The example sheets in static/sheets: one for each worked example of Cerbaro 2022, ch. 5 and App. F, some of lessons.
 
 The first two lines of a file are its titles, as the comments `# en: …` and `# pt_BR: …`; the sheet follows.
 """

@@ -30,3 +30,11 @@ def stopped(path: Path, error: BaseException) -> Text:
     if isinstance(error, HelicoideError):
         return REFUSED.format(line=lines[-1], why=error.text)
     return STOPPED.format(line=lines[-1], kind=type(error).__name__)
+
+
+def raised_in(path: Path, error: BaseException) -> Path:
+    """The file at which an error was raised, if it lies beside a user's Python file, else this file."""
+    raised = [frame.filename for frame in traceback.extract_tb(error.__traceback__)]
+    if isinstance(error, SyntaxError) and error.filename is not None:
+        raised.append(error.filename)
+    return next((file for file in map(Path, reversed(raised)) if file.parent == path.parent), path)

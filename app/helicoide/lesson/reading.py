@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib
 import logging
 import sys
-import traceback
 from base64 import b64encode
 from collections.abc import Mapping
 from functools import cache
@@ -23,7 +22,7 @@ from helicoide.files.os_errors import os_error_reason
 from helicoide.lesson.course import in_course_order
 from helicoide.lesson.lesson import Lesson
 from helicoide.lesson.matching import merged_prose, mismatch
-from helicoide.lesson.module_errors import stopped
+from helicoide.lesson.module_errors import raised_in, stopped
 from helicoide.lesson.prose import PICTURE, Section, read_sections
 from helicoide.lesson.step import Step
 from helicoide.lesson.values import Value
@@ -105,7 +104,7 @@ def _read_module(path: Path, name: str) -> Lesson:
     try:
         loader.exec_module(module)
     except (Exception, SystemExit) as error:
-        file = _raised_in(path, error)
+        file = raised_in(path, error)
         raise _broken(file, stopped(file, error)) from error
     finally:
         for imported in [one for one in list(sys.modules) if one == package or one.startswith(f"{package}.")]:
@@ -118,14 +117,6 @@ def _read_module(path: Path, name: str) -> Lesson:
     if len({step.id for step in steps}) < len(steps):
         raise _broken(path, _TWICE.format(steps=", ".join(step.id for step in steps)))
     return _with_options(Lesson(name, title, robot, steps, {}), module, path)
-
-
-def _raised_in(path: Path, error: BaseException) -> Path:
-    """The file at which an error was raised, if it is of the folder of the lesson, else its lesson.py."""
-    raised = [frame.filename for frame in traceback.extract_tb(error.__traceback__)]
-    if isinstance(error, SyntaxError) and error.filename is not None:
-        raised.append(error.filename)
-    return next((file for file in map(Path, reversed(raised)) if file.parent == path.parent), path)
 
 
 def _with_options(lesson: Lesson, module: ModuleType, path: Path) -> Lesson:

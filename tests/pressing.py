@@ -26,7 +26,7 @@ from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures as every_posture
 from helicoide.session.postures import to_singular_posture
 from helicoide.session.preparing import rehearse
-from helicoide.session.replaying import along_fastest, replay_through
+from helicoide.session.replaying import along_fastest
 from helicoide.session.workcell import TICK
 from helicoide.state import State, Update, initial_state
 from helicoide.text import HelicoideError
@@ -83,7 +83,7 @@ class Lab:
             case ForSeat(update):
                 self.seat = update(self.seat)
             case PlayTaught():
-                self.post(replay_through(self.state))
+                self.post(gate.replay_through(self.state))
             case PlayFastest():
                 self.post(along_fastest(self.state))
             case ListPostures():
@@ -232,7 +232,7 @@ def waypoints(lab: Lab) -> None:
         lab.post(gate.record(way))
         lab.post(gate.go_to(posture if posture in lab.state.robot.poses else "ready"))
         lab.pass_time(60)
-    lab.post(replay_through(lab.state))
+    lab.post(gate.replay_through(lab.state))
     lab.pass_time(300)
 
 

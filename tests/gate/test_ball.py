@@ -14,11 +14,11 @@ from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import Replay
 from helicoide.foresight import advance_with_search
+from helicoide.gate.running import replay_through
 from helicoide.kinematics.ball import BALL_RADIUS, GRASP_DISTANCE, holding_opening
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
 from helicoide.seat import Seat
-from helicoide.session.replaying import replay_through
 from helicoide.state import State, initial_state
 from helicoide.view.layers import Stage, ball
 from helicoide.view.window_view import View

@@ -12,9 +12,9 @@ from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import MoveToJoints, Replay
 from helicoide.foresight import advance_with_search
+from helicoide.gate.running import replay_through
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
-from helicoide.session.replaying import replay_through
 from helicoide.state import State, initial_state
 from helicoide.text import untranslated
 from helicoide.trajectory.joints import tool_pose_in

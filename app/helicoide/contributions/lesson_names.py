@@ -39,10 +39,11 @@ def name_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
         yield from _unknown("lesson", need)
     if lesson.id in (way := circle_of_needs(all_lessons())):
         yield CIRCLE.format(way=", ".join(way))
-    signals = {*signals_of(initial_state(robot)), *phase_planes()}
+    begin = initial_state(robot)
     for step in lesson.steps:
         for fault in (*_shown_faults(step), *_link_faults(lesson, step)):
             yield OF_STEP.format(step=step.id, what=fault)
+        signals = {*signals_of(step.setup(begin) if step.charts else begin), *phase_planes()}
         for chart in step.charts:
             if chart not in signals:
                 what = UNKNOWN.format(what=SIGNAL, name=chart, known=", ".join(sorted(signals)))

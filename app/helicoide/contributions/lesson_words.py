@@ -85,7 +85,8 @@ def _of_step(lesson: Lesson, number: int, step: Step, robot: Robot) -> Iterator[
         if re.search(r"(?m)^(#|>)", prose.body[language] + "\n" + prose.task[language]):
             yield MARKS.format(language=language)
         bold = {word for _, text in _parts(prose) for word in BOLD.findall(text[language])}
-        if missing := sorted(bold - screen_words(robot, language) - step_words(lesson, number, robot, language)):
+        unknown = bold - screen_words(robot, language)
+        if unknown and (missing := sorted(unknown - step_words(lesson, number, robot, language))):
             yield NOT_SHOWN.format(language=language, words=", ".join(missing))
 
 
@@ -151,15 +152,20 @@ def screen_words(robot: Robot, language: Language) -> frozenset[str]:
     """The texts on the panels for a robot, at rest and on a path: titles of tabs, labels, buttons, options."""
     seat, at_rest = new_seat("", language, None), initial_state(robot)
     views = View(at_rest, seat), View(gate.play()(at_rest), seat)
-    rows = [row for panel in panels.all_panels() for row in panel.rows(robot)]
     titles = [panel.TITLE[language] for panel in panels.all_panels()]
-    return frozenset((page.STOP[language], *titles, *(word for view in views for word in _labels(rows, view))))
+    words = (word for view in views for word in _labels(_panel_rows(robot), view))
+    return frozenset((page.STOP[language], *titles, *words))
 
 
 def step_words(lesson: Lesson, number: int, robot: Robot, language: Language) -> frozenset[str]:
-    """The texts of labels and buttons in a step."""
+    """The texts of labels and buttons in a step, and on the panels once it is set up."""
     seat = turned_to(lesson, entered(new_seat("", language, None), lesson.id), number)
-    return frozenset(_labels(lesson_rows(robot, seat), View(initial_state(robot), seat)))
+    set_up = View(lesson.steps[number].setup(initial_state(robot)), seat)
+    return frozenset(_labels([*lesson_rows(robot, seat), *_panel_rows(robot)], set_up))
+
+
+def _panel_rows(robot: Robot) -> list[Row]:
+    return [row for panel in panels.all_panels() for row in panel.rows(robot)]
 
 
 def _labels(rows: Sequence[Row], view: View) -> Iterator[str]:

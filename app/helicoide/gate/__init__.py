@@ -55,6 +55,7 @@ from helicoide.gate.planning import clear_plan, execute_plan, plan_found
 from helicoide.gate.postures import HEAVIEST_JOINT, go_to_posture, show_postures, weigh_joint
 from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
+from helicoide.gate.running import replay_through
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, keep_orientation, let_go, set_target
 from helicoide.gate.teaching import (
@@ -142,6 +143,7 @@ __all__ = [
     "rename_waypoint",
     "replay",
     "replay_motion",
+    "replay_through",
     "restore_planes",
     "say",
     "scrub",

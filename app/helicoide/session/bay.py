@@ -16,7 +16,7 @@ from helicoide.session.display import Display, Supply
 from helicoide.session.mapping import MapJob
 from helicoide.session.planning import plan_motion
 from helicoide.session.postures import list_postures, to_singular_posture
-from helicoide.session.replaying import along_fastest, replay_through
+from helicoide.session.replaying import along_fastest
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
@@ -115,7 +115,7 @@ class Bay:
             case requests.TrySingular():
                 self.arms.work_out(to_singular_posture)
             case requests.PlayTaught():
-                self.arms.work_out(replay_through)
+                self.arms.work_out(gate.replay_through)
             case requests.PlayFastest():
                 self.arms.work_out(along_fastest)
 

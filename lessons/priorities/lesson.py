@@ -50,7 +50,7 @@ ABOUT = Text(
     pt_BR="Quando o braço não pode ter tudo: o que um peso troca, o que a prioridade proíbe, o que para na esfera.",
 )
 ROBOT = "zebra_zero"
-NEEDS = ("screws",)
+NEEDS = ("redundancy",)
 SOURCES = (
     "Vargas 2013: eqs. 2.50, 2.51, 4.67, §4.6 (gains), 4.69–4.74 (rows, obstacle)",
     "Cerbaro 2022: eqs. 9, 10, 13",

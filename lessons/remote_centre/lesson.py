@@ -56,7 +56,7 @@ ABOUT = Text(
     "haste e custam duas juntas.",
 )
 ROBOT = "dia10_rod"
-NEEDS = ("screws",)
+NEEDS = ("differential",)
 SOURCES = ("Coutinho 2015: §1.2.2 (fulcrum), §1.4 and §5.1 (n − r ≥ 6), eqs. 3.1, 3.26, 3.30",)
 
 RESIDUE = LineExercise(

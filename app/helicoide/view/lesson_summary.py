@@ -13,7 +13,6 @@ from helicoide.seat import LessonProgress, Seat
 from helicoide.text import Text, join_texts, untranslated
 from helicoide.view.lesson_rows import PREVIOUS, dots, leaving_rows
 from helicoide.view.open_step import lesson_of
-from helicoide.view.prose_html import prose_html
 from helicoide.view.requests import ForSeat
 from helicoide.view.rows import Button, HtmlRow, Row
 from helicoide.view.window_view import View
@@ -27,7 +26,9 @@ RIGHT = Text(
     pt_BR="{right} de {n} previsões certas, entre as que você respondeu. Errar uma não é falhar: foi ali que você "
     "aprendeu alguma coisa.",
 )
-MISTAKES = Text(en="What went otherwise than planned:", pt_BR="O que saiu diferente do planejado:")
+MISTAKES = Text(
+    en="Steps in which a mistake was explained to you:", pt_BR="Passos em que um erro foi explicado a você:"
+)
 SOURCES = Text(en="Sources: {sources}.", pt_BR="Fontes: {sources}.")
 ONWARD = Text(en="Go on with:", pt_BR="Continue com:")
 MOST_NEXT = 3
@@ -67,15 +68,10 @@ def _parts(lesson: Lesson, progress: LessonProgress, view: View) -> Iterator[Mar
     judged = [answer.right for step, answer in progress.answers.items() if step in ids and answer.right is not None]
     if judged:
         yield PARAGRAPH.format(RIGHT.format(right=sum(judged), n=len(judged))[language])
-    mistakes = [(step, name) for step in ids for name in lesson.prose[step].hints if (step, name) in progress.mistakes]
-    if mistakes:
-        said = (
-            ITEM.format(
-                f"{ids.index(step) + 1}.", prose_html(lesson, lesson.prose[step].hints[name][language], view, True)
-            )
-            for step, name in mistakes
-        )
-        yield PARAGRAPH.format(MISTAKES[language]) + LIST.format(Markup("").join(said))
+    mistaken = {step for step, _ in progress.mistakes}
+    if steps := [number for number, step in enumerate(ids, 1) if step in mistaken]:
+        listed = (ITEM.format(f"{number}.", lesson.prose[ids[number - 1]].title[language]) for number in steps)
+        yield PARAGRAPH.format(MISTAKES[language]) + LIST.format(Markup("").join(listed))
     if lesson.sources:
         yield PARAGRAPH.format(SOURCES.format(sources=untranslated("; ".join(lesson.sources)))[language])
 

@@ -164,7 +164,7 @@ class Walk:
     def _moved_by_boxes(self, step: Step, act: Update) -> bool:
         """Type the joint values that are asked for into the boxes of the step; False if it has not all of them."""
         state, before, asked = self._state, self._state.request.command, act(self._state).request.command
-        if not isinstance(asked, MoveToJoints):
+        if not isinstance(asked, MoveToJoints) or asked is before:
             return False
         q = before.q if isinstance(before, MoveToJoints) else state.arm.q
         changed = [int(joint) for joint in np.flatnonzero(asked.q != q)]
@@ -174,6 +174,7 @@ class Walk:
         for joint in changed:
             scale = 1000.0 if state.robot.variables[joint].is_prismatic else 180 / np.pi
             self.type(boxes.nth(step.joints.index(joint)), f"{scale * asked.q[joint]:.1f}")
+        until(self.page, lambda: self._state.request.command is not before)  # else the arm seems to have arrived
         return True
 
     def _docked(self) -> Locator:

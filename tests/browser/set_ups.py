@@ -224,7 +224,7 @@ def first_lesson(studio: Studio) -> None:
     """The second step of the first lesson."""
     studio.tab(lessons)
     studio.sit(second_step)
-    text = studio.page.locator(".helicoide-lesson")
+    text = studio.page.locator(".helicoide-lesson h3")
     text.wait_for()
     studio.begin_with(text)
     studio.aim()

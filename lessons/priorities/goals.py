@@ -107,6 +107,15 @@ def clearance(state: State) -> float:
     return float((segment_distances(balls.ends[:, 0], axes) - radii - balls.radii[:, None]).min())
 
 
+def vanishing(state: State) -> float:
+    """About how far the arm is from the sphere where each bell of the objective is a thousandth of its height, m.
+
+    The bells are as wide as `Options.radius` of the objective at first; the links are about as thick as the forearm.
+    """
+    wide, thick = 0.1 * state.robot.reach, float(np.median([body.radius for body in state.robot.bodies]))
+    return wide * float(np.sqrt(np.log(1000.0))) - thick - float(state.problem.obstacles.radii.max(initial=0.0))
+
+
 def objective(state: State) -> SecondaryObjective | None:
     """The secondary objective."""
     return state.request.controller.secondary

@@ -39,6 +39,7 @@ from .goals import (
     turn_is_free,
     turn_not_asked,
     turned,
+    vanishing,
     weight,
     weight_in_vain,
     within_reach,
@@ -66,6 +67,7 @@ BALANCE = LineExercise(
     ),
     "a - x",
     steps=(("x", "(w1*a + w2*b)/(w1 + w2)"),),
+    title=Text(en="where two pulls cancel, and what is missing", pt_BR="onde dois puxões se anulam, e o que falta"),
 )
 VALUES = {
     "far": fixed(FAR[0], "mm"),
@@ -82,6 +84,7 @@ VALUES = {
     "least_swing": fixed(SWUNG, "°"),
     "heavy": fixed(HEAVY, "", 0),
     "weight": Value(lambda state, _: weight(state), "", 0),
+    "vanish": Value(lambda state, _: vanishing(state), "mm"),
     "ball": fixed(np.array(BALL), "mm"),
 }
 

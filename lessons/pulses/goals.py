@@ -87,6 +87,14 @@ def half_pulses(state: State, q: Array) -> Array:
     return np.array([one_pulse(state, q, motor) for motor in range(len(q))]) / 2
 
 
+def axis_distance(state: State, joint: int) -> float:
+    """The distance of the tool of the stretched arm, whose joint values are zero, from the axis of a joint, m."""
+    robot = state.robot
+    return float(
+        np.linalg.norm(np.cross(robot.directions[joint], place(state, stretched(state)) - robot.points[joint]))
+    )
+
+
 def worst_rounding(state: State) -> float:
     """The largest distance of the tool at `ready` from where it should be, with whole pulses, m."""
     halves = half_pulses(state, ready(state))
@@ -94,9 +102,9 @@ def worst_rounding(state: State) -> float:
     return float(np.linalg.norm(signs @ halves, axis=1).max())
 
 
-def sum_of_halves(state: State) -> float:
-    """The same if all motions had one direction, m."""
-    return float(np.linalg.norm(half_pulses(state, ready(state)), axis=1).sum())
+def sum_of_halves(state: State, q: Array) -> float:
+    """How far the tool would move at joint values (5,), rad, if the half pulses had one direction, m."""
+    return float(np.linalg.norm(half_pulses(state, q), axis=1).sum())
 
 
 def rounding(state: State) -> float:

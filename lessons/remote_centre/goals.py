@@ -18,7 +18,7 @@ from helicoide.state import State, Update, with_joints
 SWING, ELBOW, SPIN = 0, 3, 6
 JOINTS = 7
 MOVED, LITTLE, ALONG = 0.050, 0.020, 0.030
-TIP_MOVES, BODY_MOVES = 0.040, 0.030
+TIP_MOVES, BODY_MOVES = 0.005, 0.005
 EVEN, WITHIN = 1.0, 0.1
 AT_ENTRY, IN_PLACE, BESIDE = 0.5e-3, 2e-3, 0.020
 TURNED, SPUN, STILL = radians(10.0), radians(40.0), radians(1.0)

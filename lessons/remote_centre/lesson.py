@@ -1,11 +1,11 @@
-"""Remote centre: a rod through an entry point, the lever of hand and tip, what the constraint costs, a moving body."""
+"""Remote centre: a rod through an entry point, the lever of wrist and tip, what the constraint costs, a moving body."""
 
 from __future__ import annotations
 
 from math import radians
 
 from helicoide import gate
-from helicoide.lesson import Choice, Diagnosis, Estimate, Order, Shown, Step, Value, fixed
+from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Step, Value, fixed
 from helicoide.lines import GivenName, LineExercise
 from helicoide.text import Text
 
@@ -51,9 +51,9 @@ from .goals import (
 
 TITLE = Text(en="Remote centre", pt_BR="Centro remoto")
 ABOUT = Text(
-    en="A rod through a small hole: hand and tip move opposite ways, two rows hold the rod, and they cost two joints.",
-    pt_BR="Uma haste por um furo pequeno: a mão e a ponta vão em sentidos opostos, duas linhas da tarefa seguram a "
-    "haste e custam duas juntas.",
+    en="A rod through a small hole: wrist and tip move opposite ways, two rows hold the rod, and they cost two joints.",
+    pt_BR="Uma haste por um furo pequeno: o punho e a ponta vão em sentidos opostos, duas linhas da tarefa "
+    "seguram a haste e custam duas juntas.",
 )
 ROBOT = "dia10_rod"
 NEEDS = ("differential",)
@@ -69,6 +69,9 @@ RESIDUE = LineExercise(
     "distance(r, L)",
     steps=(("L", "line(w, t)"),),
     sign_counts=False,
+    title=Text(
+        en="how far the axis of the rod passes from the hole", pt_BR="a que distância do furo passa o eixo da haste"
+    ),
 )
 VALUES = {
     "moved": fixed(MOVED, "mm"),
@@ -111,7 +114,7 @@ STEPS = (
         start,
         as_long_inside,
         ((tip_target(0.0, 0.105), 3.0),),
-        prediction=Estimate(hand_for_tip, "mm", within=15.0),
+        prediction=Estimate(hand_for_tip, "mm", within=1.0),
         diagnoses=(
             Diagnosis("pulled_out", pulled_out, ((tip_target(0.0, -0.06), 3.0),)),
             Diagnosis("swung", only_swung, ((tip_target(0.06, 0.0), 3.0),)),
@@ -138,7 +141,7 @@ STEPS = (
         rod_followed,
         ((tip_target(0.0, 0.0), 1.0), (entry_at(0.03, 0.0), 3.0)),
         held_for=0.5,
-        prediction=Estimate(hand_for_body, "mm", within=15.0),
+        prediction=Estimate(hand_for_body, "mm", within=1.0),
         diagnoses=(
             Diagnosis("resting", rod_beside, ((entry_at(0.03, 0.0), 1.5),)),
             Diagnosis("slid", entry_along, ((tip_target(0.0, 0.0), 1.0), (entry_at(0.0, 0.05), 2.0))),
@@ -151,7 +154,7 @@ STEPS = (
         start,
         orientation_gives_way,
         ((gate.keep_orientation(True), 0.5), (tip_target(0.06, 0.0), 4.0)),
-        prediction=Order(right=(1, 0, 2), reveal="done"),
+        prediction=Choice(right=2, reveal="done"),
         diagnoses=(
             UNHELD,
             Diagnosis("not_asked", not_asked, ((tip_target(0.06, 0.0), 3.0),)),

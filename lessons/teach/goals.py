@@ -90,6 +90,16 @@ def radius(state: State) -> float:
     return float(np.hypot(*place(state.robot, np.array([0.0, *np.radians(HIGH)]))[:2]))
 
 
+def height_there(state: State) -> float:
+    """The height of the tool at the high waypoints, m."""
+    return float(place(state.robot, np.array([0.0, *np.radians(HIGH)]))[2])
+
+
+def passing(state: State) -> float:
+    """How far the straight line between the waypoints far to the sides passes from the axis of the waist, m."""
+    return float(np.hypot(*place(state.robot, np.array([0.0, *np.radians(LOW)]))[:2])) * cos(FAR_SIDE)
+
+
 def bulge(state: State, seat: Seat) -> float:
     """How far the joint move between the high waypoints leaves the straight line, m."""
     return radius(state) * (1 - cos(SIDE))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import cos, radians
 
 from helicoide import gate
 from helicoide.lesson import Choice, Diagnosis, Estimate, Order, Shown, Step, Value, fixed
@@ -23,9 +23,11 @@ from .goals import (
     bulge,
     carried,
     crossed,
+    height_there,
     left_behind,
     line_refused,
     out_of_order,
+    passing,
     pushed_aside,
     radius,
     ran_by_joints,
@@ -57,11 +59,22 @@ MIDDLES = LineExercise(
         GivenName(
             "r", "length", Text(en="from the axis of the waist to the gripper", pt_BR="do eixo da cintura à garra")
         ),
-        GivenName("a", "angle", Text(en="the waist at the first point", pt_BR="a cintura no primeiro ponto")),
-        GivenName("b", "angle", Text(en="the waist at the second point", pt_BR="a cintura no segundo ponto")),
+        GivenName(
+            "a",
+            "angle",
+            Text(en="the waist at the first point, in radians", pt_BR="a cintura no primeiro ponto, em radianos"),
+        ),
+        GivenName(
+            "b",
+            "angle",
+            Text(en="the waist at the second point, in radians", pt_BR="a cintura no segundo ponto, em radianos"),
+        ),
     ),
     "r*(cos(a) + cos(b))/2",
-    steps=(("J", "r*cos((a + b)/2)"),),
+    steps=(("m", "r*cos((a + b)/2)"),),
+    title=Text(
+        en="x halfway, by a joint move and by a linear move", pt_BR="x na metade do caminho, por juntas e em linha reta"
+    ),
 )
 VALUES = {
     "different": fixed(DIFFERENT, "°"),
@@ -71,8 +84,11 @@ VALUES = {
     "far_side": fixed(FAR_SIDE, "°"),
     "shoulder_high": fixed(radians(HIGH[0]), "°"),
     "height": Value(lambda state, _: state.T_world_tool[2, 3], "mm"),
-    "radius": Value(lambda state, _: radius(state), "mm"),
-    "bulge": Value(lambda state, seat: bulge(state, seat), "mm"),
+    "height_there": Value(lambda state, _: height_there(state), "mm"),
+    "passing": Value(lambda state, _: passing(state), "mm"),
+    "middle": Value(lambda state, _: radius(state) * cos(SIDE), "mm", 1),
+    "radius": Value(lambda state, _: radius(state), "mm", 1),
+    "bulge": Value(lambda state, seat: bulge(state, seat), "mm", 1),
     "aside": Value(lambda state, _: aside(state), "mm"),
     "clear": fixed(CLEAR, "mm"),
     "way": Value(lambda state, _: max(0.0, way_clearance(state)), "mm"),
@@ -136,7 +152,7 @@ STEPS = (
         start,
         carried,
         ((gate.pick_and_place(), 0.5), (run, 9.0)),
-        prediction=Order(right=(2, 4, 0, 1, 3), reveal="done"),
+        prediction=Order(right=(4, 2, 0, 5, 1, 3), reveal="done"),
         diagnoses=(
             Diagnosis(
                 "left_behind", left_behind, ((gate.pick_and_place(), 0.5), (gate.set_grip("A2", ""), 0.2), (run, 9.0))

@@ -34,10 +34,12 @@ from .goals import (
     typed,
 )
 from .values import (
+    ALLOWED,
     CEILING,
     E1,
     E2,
     E3,
+    MARKED,
     SHOULDER,
     TOOL_POINT,
     WAIST,
@@ -72,6 +74,9 @@ EDGE = LineExercise(
     "join(K, p)",
     steps=(("K", "meet(A, B)"),),
     sign_counts=False,
+    title=Text(
+        en="the edge of two planes, then a plane through it", pt_BR="a aresta de dois planos, depois um plano por ela"
+    ),
 )
 
 STEPS = (
@@ -136,7 +141,7 @@ STEPS = (
         start,
         has_line(DISTANCE, to_ceiling),
         typed("l_elbow = 0.5*dual(ceiling*elbow - elbow*ceiling)"),
-        prediction=Estimate(lambda state, _: to_ceiling(state), "mm", within=5.0),
+        prediction=Estimate(lambda state, _: to_ceiling(state), "mm", within=1e3 * ALLOWED),
         diagnoses=(
             Diagnosis(
                 "twice", has_line(DISTANCE, to_ceiling, factor=2.0), typed("dual(ceiling*elbow - elbow*ceiling)")
@@ -176,7 +181,7 @@ STEPS = (
         start,
         has_line(DISTANCE, forearm_on_bench),
         typed("meet(join(elbow, wrist), bench)"),
-        prediction=Mark(lambda state, _: rigid.coordinates(forearm_on_bench(state)), within=0.05),
+        prediction=Mark(lambda state, _: rigid.coordinates(forearm_on_bench(state)), within=MARKED),
         diagnoses=(
             Diagnosis(
                 "line_only",

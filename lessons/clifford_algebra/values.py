@@ -19,7 +19,7 @@ WAIST, SHOULDER = 0, 1
 SHOULDER_POINT, ELBOW_POINT, WRIST_POINT, TOOL_POINT = 1, 2, 3, 4
 CEILING, BENCH = 0, 3
 LIFTED = radians(8.0)
-RAISED, ASIDE = 0.100, 0.030
+RAISED, ASIDE, MARKED, ALLOWED = 0.100, 0.030, 0.050, 0.005
 SHIFTED, TILTED = 0.030, radians(0.5)
 QUARTER = pi / 2
 E1, E2, E3, E, E3E1 = (Multivector(CL031.blade(name), CL031) for name in ("e1", "e2", "e3", "e", "e3e1"))
@@ -99,6 +99,8 @@ VALUES = {
     "shoulder_ready": Value(lambda state, _: state.robot.poses["ready"][SHOULDER], "°"),
     "shoulder": Value(lambda state, _: state.arm.q[SHOULDER], "°"),
     "shoulder_axis": element(shoulder_line),
+    "shoulder_place": Value(lambda state, _: state.robot.points[SHOULDER]),
+    "shoulder_direction": Value(lambda state, _: state.robot.directions[SHOULDER], decimals=0),
     "quarter": fixed(QUARTER, "°"),
     "half": fixed(QUARTER / 2, "°"),
     "e3_turned": fixed(lambda: rotor(E3E1, QUARTER) >> E3, decimals=0),
@@ -118,6 +120,10 @@ VALUES = {
     "elbow": element(lambda state: point(state, ELBOW_POINT)),
     "product": element(ceiling_product),
     "to_ceiling": Value(lambda state, _: to_ceiling(state), "mm", 1),
+    "allowed": fixed(ALLOWED, "mm"),
+    "bench": element(lambda state: plane(state, BENCH)),
+    "elbow_place": Value(lambda state, _: state.monitored_points[ELBOW_POINT], "mm"),
+    "marked": fixed(MARKED, "mm"),
     "arm_plane": element(arm_plane),
     "arm_plane_back": element(lambda state: -arm_plane(state)),
     "forearm": element(forearm),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import degrees, radians
 
 from helicoide import gate
 from helicoide.lesson import Choice, Diagnosis, Estimate, Shown, Step
@@ -42,7 +42,21 @@ from .goals import (
     tool_nearest,
     tool_raised,
 )
-from .values import ASKED, BACK, ELBOW, SHOULDER, WAIST, WIDER, corridor, left_wall_tilt, to_the_edge
+from .values import (
+    ASKED,
+    BACK,
+    CORNER_WITHIN,
+    CORRIDOR_WITHIN,
+    ELBOW,
+    LEAN_WITHIN,
+    SHOULDER,
+    WAIST,
+    WIDER,
+    ZONES_WITHIN,
+    corridor,
+    left_wall_lean,
+    to_the_edge,
+)
 from .values import VALUES as VALUES
 
 TITLE = Text(en="Confinement", pt_BR="Confinamento")
@@ -70,7 +84,7 @@ STEPS = (
         elbow_stopped,
         ((gate.set_joint(SHOULDER, ASKED), 3.0),),
         joints=(SHOULDER,),
-        prediction=Estimate(lambda state, _: shoulder_at_stop(state), "°", within=4.0, reveal="done"),
+        prediction=Estimate(lambda state, _: shoulder_at_stop(state), "°", within=degrees(ZONES_WITHIN), reveal="done"),
         diagnoses=(
             Diagnosis("warned", elbow_warned, ((gate.set_joint(SHOULDER, radians(37.0)), 3.0),)),
             Diagnosis("lowered", shoulder_lowered, ((gate.set_joint(SHOULDER, radians(10.0)), 3.0),)),
@@ -96,7 +110,7 @@ STEPS = (
         start,
         in_the_corner,
         ((target_at(0.60, 0.50, -0.20), 6.0),),
-        prediction=Estimate(lambda state, _: to_the_edge(state), "mm", within=12.0, reveal="done"),
+        prediction=Estimate(lambda state, _: to_the_edge(state), "mm", within=1e3 * CORNER_WITHIN, reveal="done"),
         diagnoses=(
             Diagnosis("right", at_right_wall, ((target_at(0.60, -0.50, 0.15), 5.0),)),
             Diagnosis("one", at_one_plane, ((target_at(0.60, 0.50, 0.20), 5.0),)),
@@ -120,7 +134,7 @@ STEPS = (
         start,
         at_wider_wall,
         ((gate.set_zones(WIDER, WIDER + 0.03), 0.5), (target_at(0.60, 0.50, 0.17), 5.0)),
-        prediction=Estimate(lambda state, _: corridor(state), "mm", within=15.0),
+        prediction=Estimate(lambda state, _: corridor(state), "mm", within=1e3 * CORRIDOR_WITHIN),
         diagnoses=(
             Diagnosis("as_before", at_wall_as_before, ((target_at(0.60, 0.50, 0.17), 5.0),)),
             Diagnosis("another", another_distance, ((gate.set_zones(0.10, 0.13), 0.5),)),
@@ -132,7 +146,7 @@ STEPS = (
         start_in_a_box,
         room_measured,
         measuring(len(PLANE_READINGS)),
-        prediction=Estimate(lambda state, _: left_wall_tilt(state), "°", within=2.0, reveal="done"),
+        prediction=Estimate(lambda state, _: left_wall_lean(state), "°", within=degrees(LEAN_WITHIN), reveal="done"),
         diagnoses=(
             Diagnosis("from_file", read_from_the_file, ((gate.restore_planes(), 0.5),)),
             Diagnosis("in_part", measured_in_part, measuring(1)),

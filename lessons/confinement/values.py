@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import radians, sqrt
 
 import numpy as np
 
@@ -22,6 +22,8 @@ CEILING, LEFT, RIGHT, BENCH = 0, 1, 2, 3
 ASKED = radians(60.0)
 CRITICAL, WARNING, WIDER, AS_ASKED = 0.080, 0.110, 0.120, 1.5e-3
 BACK = 0.40, 0.0, 0.35
+ZONES_WITHIN, LEAN_WITHIN = radians(4.0), radians(1.0)
+CORNER_WITHIN, CORRIDOR_WITHIN = 0.012, 0.015
 
 
 def elbow_to_ceiling(state: State) -> float:
@@ -63,11 +65,11 @@ def corridor(state: State) -> float:
     return between_walls(state) - WIDER / abs(float(normals[LEFT][1])) - WIDER / abs(float(normals[RIGHT][1]))
 
 
-def parked_elbow(state: State) -> tuple[float, float]:
-    """Of the elbow when the arm is parked: how far it is ahead of the base, and from the measured ceiling, m."""
+def parked_elbow(state: State) -> tuple[float, float, float]:
+    """Of the elbow when the arm is parked: how far ahead of the base, how high, and from the measured ceiling, m."""
     elbow = with_joints(state, np.array(state.robot.poses["home"])).monitored_points[ELBOW_POINT]
     pane = state.robot.panes[CEILING]
-    return float(elbow[0]), float(pane.normal @ elbow - pane.offset)
+    return float(elbow[0]), float(elbow[2]), float(pane.normal @ elbow - pane.offset)
 
 
 def pane_edge(state: State) -> float:
@@ -85,9 +87,28 @@ def tilt(state: State, name: str, upright: Array) -> float:
     return float(np.arctan2(np.linalg.norm(np.cross(normal, upright)), normal @ upright))
 
 
-def left_wall_tilt(state: State) -> float:
-    """How much the normal of the left wall is tilted from the y axis, rad."""
-    return tilt(state, "+y", np.array([0.0, -1.0, 0.0]))
+def lean(normal: Array) -> float:
+    """How much a wall leans towards its inner side, rad; 0 if it is upright."""
+    return float(np.arcsin(-normal[2]))
+
+
+def left_wall_lean(state: State) -> float:
+    """How much the left wall leans inwards, rad; 0 without that wall."""
+    planes = state.problem.planes
+    return lean(planes.normals[planes.names.index("+y")]) if "+y" in planes.names else 0.0
+
+
+def corner_edge(state: State) -> float:
+    """How far from the edge a point is that is at the safety distance to the left wall and the bench, m."""
+    return float(CRITICAL / np.sin((np.pi / 2 - lean(state.robot.panes[LEFT].normal)) / 2))
+
+
+def level_stop(state: State) -> float:
+    """The angle at which the shoulder would stop under a level ceiling, rad."""
+    first = at_ready(state)
+    shoulder, elbow = first.monitored_points[[SHOULDER, ELBOW_POINT]]
+    rise = elbow[2] + elbow_to_ceiling(first) - CRITICAL - shoulder[2]
+    return float(np.arcsin(rise / np.linalg.norm(elbow - shoulder)))
 
 
 def ceiling_drop(state: State) -> float:
@@ -119,14 +140,23 @@ VALUES = {
     "far_down": fixed(-0.200, "mm"),
     "in_front": fixed(0.700, "mm"),
     "edge": Value(lambda state, _: to_the_edge(state), "mm"),
+    "square": fixed(CRITICAL * sqrt(2), "mm"),
+    "level_stop": Value(lambda state, _: level_stop(state), "°"),
+    "zones_within": fixed(ZONES_WITHIN, "°"),
+    "corner_within": fixed(CORNER_WITHIN, "mm"),
+    "corridor_within": fixed(CORRIDOR_WITHIN, "mm"),
     "drop": Value(lambda state, _: ceiling_drop(state), "mm"),
     "wider": fixed(WIDER, "mm"),
     "walls": Value(lambda state, _: between_walls(state), "mm"),
     "corridor": Value(lambda state, _: corridor(state), "mm"),
     "elbow_x": Value(lambda state, _: parked_elbow(state)[0], "mm"),
-    "elbow_parked": Value(lambda state, _: parked_elbow(state)[1], "mm"),
+    "elbow_parked": Value(lambda state, _: parked_elbow(state)[2], "mm"),
+    "elbow_z": Value(lambda state, _: parked_elbow(state)[1], "mm"),
+    "ceiling_height": Value(lambda state, _: state.robot.panes[CEILING].centre[2], "mm"),
     "pane_edge": Value(lambda state, _: pane_edge(state), "mm"),
-    "tilt_left": Value(lambda state, _: left_wall_tilt(state), "°", 1),
+    "tilt_left": Value(lambda state, _: left_wall_lean(state), "°", 1),
+    "corner_edge": Value(lambda state, _: corner_edge(state), "mm", 1),
+    "lean_within": fixed(LEAN_WITHIN, "°"),
     "noise": fixed(NOISE, "mm"),
     "outliers": fixed(OUTLIERS, "%"),
     "points": Value(lambda state, _: float(sum(len(cloud.points) for cloud in state.clouds.values())), decimals=0),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import reduce
-from math import asin, radians
+from math import asin
 
 import numpy as np
 
@@ -31,6 +31,8 @@ from .values import (
     NEAR_TURN,
     NO_SLIDE,
     ROLL,
+    SAME_PLACE,
+    SAME_TURN,
     WAIST,
     WANTED,
     WITHIN,
@@ -42,7 +44,7 @@ from .values import (
 )
 
 SHEET = "movemaster_forward"
-SAME_PLACE, SAME_TURN, STILL = 0.020, radians(4.0), 0.005
+STILL = 0.005
 TINY = 1e-6
 
 

@@ -38,7 +38,7 @@ from .goals import (
     waist_only,
     waist_turned_back,
 )
-from .values import APART, ROLL, SIDE, WAIST, WANTED, halfway, height
+from .values import APART, MARKED, ROLL, SIDE, WAIST, WANTED, halfway, height
 from .values import VALUES as VALUES
 
 TITLE = Text(en="Motors: eight numbers", pt_BR="Motores: oito números")
@@ -58,11 +58,12 @@ TURN = LineExercise(
     "motor",
     (
         GivenName("L", "line", Text(en="the axis, a line", pt_BR="o eixo, uma reta")),
-        GivenName("alpha", "angle", Text(en="the angle", pt_BR="o ângulo")),
+        GivenName("alpha", "angle", Text(en="the angle, in radians", pt_BR="o ângulo, em radianos")),
     ),
     "cos(alpha/2) + sin(alpha/2)*L",
     sign_counts=False,
     without=("screw", "exp", "rotor"),
+    title=Text(en="the motor of a turn about a line", pt_BR="o motor de um giro em torno de uma reta"),
 )
 
 PEN = LineExercise(
@@ -75,6 +76,10 @@ PEN = LineExercise(
     "B*M*P",
     steps=(("N", "B*M"),),
     sign_counts=False,
+    title=Text(
+        en="the end effector, then the pen, as seen from the room",
+        pt_BR="o efetuador e depois a caneta, vistos da sala",
+    ),
 )
 
 STEPS = (
@@ -163,7 +168,7 @@ STEPS = (
         at_halfway,
         ((gate.set_joint(WAIST, APART / 2), 3.0),),
         joints=(WAIST,),
-        prediction=Mark(lambda state, _: halfway(state.robot)[:3, 3], within=0.04),
+        prediction=Mark(lambda state, _: halfway(state.robot)[:3, 3], within=MARKED),
         diagnoses=(
             Diagnosis("cut_short", cut_short, ((cut_the_corner, 4.0),)),
             Diagnosis("at_the_end", at_the_end, ((gate.set_joint(WAIST, APART), 3.0),)),

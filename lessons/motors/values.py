@@ -18,13 +18,14 @@ from helicoide.lesson import Value, fixed
 from helicoide.seat import Seat
 from helicoide.state import State
 
-WAIST, ROLL = 0, 4
+WAIST, SHOULDER, ROLL = 0, 1, 4
 WANTED = 0.5
 WITHIN, AT_REST = radians(2.0), radians(3.0)
 LEAST_WAIST, NO_SLIDE, MUCH_SLIDE = radians(20.0), 0.005, 0.060
 SIDE = radians(60.0)
 BELOW, FAR_ROLL, LITTLE_WAIST = -0.05, radians(150.0), radians(20.0)
-APART, NEAR, NEAR_TURN = radians(60.0), 0.015, radians(4.0)
+APART, NEAR, NEAR_TURN, MARKED = radians(60.0), 0.015, radians(4.0), 0.040
+SAME_PLACE, SAME_TURN = 0.020, radians(4.0)
 
 
 def coefficient(M: Array, blade: str) -> float:
@@ -41,6 +42,11 @@ def waist_motor(state: State) -> Array:
 def link_motor(state: State) -> Array:
     """The motor of the frame of the first link, (16,)."""
     return rigid.motor_from_pose(state.arm.poses[WAIST + 1])
+
+
+def shoulder_line(state: State) -> Array:
+    """The axis of the shoulder while the arm is at zero, (16,)."""
+    return rigid.line(state.robot.directions[SHOULDER], state.robot.points[SHOULDER])
 
 
 def shown_motor(state: State) -> Array:
@@ -106,6 +112,8 @@ VALUES = {
     "within": fixed(WITHIN, "°"),
     "height": Value(height, "mm"),
     "lift": Value(lambda state, seat: height(state, seat) / 2, "", 1),
+    "shoulder_place": Value(lambda state, _: state.robot.points[SHOULDER]),
+    "shoulder_line": Value(multivector(shoulder_line)),
     "link_motor": Value(multivector(link_motor)),
     "least_waist": fixed(LEAST_WAIST, "°"),
     "no_slide": fixed(NO_SLIDE, "", 3),
@@ -119,6 +127,12 @@ VALUES = {
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "tip": Value(lambda state, _: example_tip(state, False), "mm"),
     "reversed_tip": Value(lambda state, _: example_tip(state, True), "mm"),
+    "same_place": fixed(SAME_PLACE, "mm"),
+    "same_turn": fixed(SAME_TURN, "°"),
+    "first_tip": Value(lambda state, _: ends(state.robot)[0][:3, 3], "mm"),
+    "marked": fixed(MARKED, "mm"),
+    "near": fixed(NEAR, "mm"),
+    "near_turn": fixed(NEAR_TURN, "°"),
     "apart": fixed(APART, "°"),
     "half_way": fixed(APART / 2, "°"),
     "long_way": fixed(2 * pi - APART, "°"),

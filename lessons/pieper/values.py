@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import asin, hypot, pi, radians
+from math import asin, cos, hypot, pi, radians
 
 import numpy as np
 
 from helicoide.arrays import Array
+from helicoide.ik.postures.branch import wrap
 from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.robot import Robot
@@ -83,6 +84,18 @@ def count_within(state: State) -> int:
     return int((~outside(state).any(axis=1)).sum())
 
 
+def below(state: State) -> Array:
+    """The posture of the pose of `ready` with the same shoulder and a bend > 0 whose elbow is down, (6,), rad."""
+    q = _postures(state.robot, tuple(ready(state).tolist()))
+    change = np.abs(wrap(q - ready(state)))
+    return np.asarray(q[(change[:, WAIST] < ON_LIMIT) & (change[:, ELBOW] > ON_LIMIT) & (q[:, BEND] > 0)][0])
+
+
+def rise(q: Array) -> float:
+    """How steeply the forearm, along the axis of joint 4, rises from the elbow to the wrist, rad."""
+    return asin(-cos(q[SHOULDER] + q[ELBOW]))
+
+
 def count_at_ready(state: State) -> int:
     """How many postures the pose of `ready` has, whatever the limits."""
     return len(_postures(state.robot, tuple(ready(state).tolist())))
@@ -101,6 +114,7 @@ VALUES = {
     "offset": Value(lambda state, _: offset(state), "mm"),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
     "other_shoulder": Value(lambda state, _: to_other_shoulder(state), "°"),
+    "longer_way": Value(lambda state, _: 2 * pi - to_other_shoulder(state), "°"),
     "ready_wrist": Value(lambda state, _: ready_pose(state)[:3, 3], "mm"),
     "first_hand": fixed(FIRST, "°"),
     "flipped": fixed(FLIPPED, "°"),
@@ -113,6 +127,13 @@ VALUES = {
     "ruled_out": Value(lambda state, _: outside(state).sum(axis=0).astype(float), decimals=0),
     "enough": fixed(ENOUGH, decimals=0),
     "ready_bend": Value(lambda state, _: ready(state)[BEND], "°"),
+    "bend_lower": Value(lambda state, _: state.robot.lower[BEND], "°"),
     "bend_upper": Value(lambda state, _: state.robot.upper[BEND], "°"),
+    "elbow_lower": Value(lambda state, _: state.robot.lower[ELBOW], "°"),
+    "elbow_upper": Value(lambda state, _: state.robot.upper[ELBOW], "°"),
+    "elbow_down": Value(lambda state, _: below(state)[ELBOW], "°"),
+    "forearm_rise": Value(lambda state, _: rise(below(state)), "°"),
+    "hand_drop": Value(lambda state, _: -asin(ready_pose(state)[2, 2]), "°"),
+    "bend_needed": Value(lambda state, _: below(state)[BEND], "°"),
     "aside": fixed(ASIDE, "mm"),
 }

@@ -21,6 +21,7 @@ TIP_AT = np.array([0.550, 0.100, 0.150])  # m
 FIRST = np.radians([-60.0, 60.0, 0.0])  # roll, bend and flange of a hand, rad
 FLIPPED = np.radians([120.0, -60.0, 180.0])
 LEAST_TURN = radians(20.0)
+AT_PLACE = 0.010  # m
 MOST_AT_READY, ENOUGH = 3, 5
 ASIDE = 0.020  # m, of axis 6 in the question about Pieper's condition
 ON_LIMIT = 1e-6  # rad
@@ -108,6 +109,7 @@ VALUES = {
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "tool_length": fixed(TOOL_LENGTH, "mm"),
     "tip_at": fixed(TIP_AT, "mm"),
+    "at_place": fixed(AT_PLACE, "mm"),
     "tip": Value(lambda state, _: tip(state), "mm"),
     "pointing": Value(lambda state, _: ready_pose(state)[:3, 2], decimals=2),
     "wrist_for_tip": Value(lambda state, _: wrist_for_tip(state), "mm"),

@@ -67,7 +67,7 @@ def manipulability(state: State) -> float:
 
 
 def pulls() -> Array:
-    """What each joint adds to the motion along the null space at `AT_LIMIT`, (3,), rad/s; > 0: joint 3 leaves its limit.
+    """What each joint adds to the null-space motion at `AT_LIMIT`, (3,), rad/s; > 0: joint 3 leaves its limit.
 
     k₀ (−∂f/∂qᵢ) nᵢ, with f the distance to joint limits and n the unit vector of the null space with n₃ > 0.
     Source: Cerbaro 2022, eqs. 10 and 14.

@@ -15,6 +15,7 @@ from helicoide.seat import Seat
 from helicoide.state import State, Update
 
 from .values import (
+    AT_PLACE,
     BETA,
     CHOICE_DOWN,
     CHOICE_UP,
@@ -39,7 +40,7 @@ from .values import (
     wrist_place,
 )
 
-AT_PLACE, ALIGNED = 0.030, radians(4.0)  # m, rad
+ALIGNED = radians(4.0)
 MOVED = radians(10.0)
 UP = np.array([0.0, 0.0, 1.0])
 

@@ -81,7 +81,7 @@ BEFORE_AND_AFTER = LineExercise(
     GIVEN,
     "phi - theta1 - theta2",
     steps=(("wx", "x - l3*cos(phi)"), ("wy", "y - l3*sin(phi)")),
-    title=Text(en="the first and the last step of three links", pt_BR="o primeiro e o último passo de três elos"),
+    title=Text(en="the wrist, and the angle of joint 3", pt_BR="o punho e o ângulo da junta 3"),
 )
 POLAR_ARM = LineExercise(
     "error",
@@ -91,7 +91,7 @@ POLAR_ARM = LineExercise(
     ),
     "atan2(-x, y)",
     steps=(("rho", "sqrt(x**2 + y**2)"),),
-    title=Text(en="the closed form of the polar arm", pt_BR="a forma fechada do braço polar"),
+    title=Text(en="the closed form of the polar arm, in radians", pt_BR="a forma fechada do braço polar, em radianos"),
 )
 
 STEPS = (

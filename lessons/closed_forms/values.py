@@ -20,6 +20,7 @@ FAR_WRIST, FAR_DIRECTION = (-1.2, 1.6), radians(-90.0)
 CHOICE, CHOICE_DIRECTION = (0.6, -2.9), radians(-60.0)
 WEIGHTS = 3.0, 1.0, 1.0
 LEAST_TURN = radians(30.0)
+AT_PLACE = 0.030  # m
 LIFT = 0.400
 POLAR = 0.300, 0.400
 
@@ -54,7 +55,11 @@ FAR = hypot(*FAR_WRIST)
 BETA, PSI = atan2(FAR_WRIST[1], FAR_WRIST[0]), angle_at_shoulder(FAR)
 FAR_UP, FAR_DOWN = (posture(*FAR_WRIST, FAR_DIRECTION, sign) for sign in (-1, 1))
 FAR_PLACE = FAR_WRIST[0] + L3 * cos(FAR_DIRECTION), FAR_WRIST[1] + L3 * sin(FAR_DIRECTION)
-CHOICE_DOWN, CHOICE_UP = (posture(*wrist_of(*CHOICE, CHOICE_DIRECTION), CHOICE_DIRECTION, sign) for sign in (1, -1))
+# Rounded to whole degrees, so that whoever adds up the angles shown gets the sums shown.
+CHOICE_DOWN, CHOICE_UP = (
+    np.radians(np.round(np.degrees(posture(*wrist_of(*CHOICE, CHOICE_DIRECTION), CHOICE_DIRECTION, sign))))
+    for sign in (1, -1)
+)
 
 
 def rests(state: State) -> bool:
@@ -113,6 +118,7 @@ VALUES = {
     "ready_joints": Value(lambda state, _: np.array(state.robot.poses["ready"]), "°"),
     "least_turn": fixed(LEAST_TURN, "°"),
     "upper": fixed(L1, "mm"),
+    "fore": fixed(L2, "mm"),
     "hand": fixed(L3, "mm"),
     "place": fixed(np.array(PLACE), "mm"),
     "direction": fixed(DIRECTION, "°"),
@@ -135,6 +141,8 @@ VALUES = {
     "weighted_down": Value(lambda state, _: cost(CHOICE_DOWN, state, WEIGHTS), "°"),
     "weighted_up": Value(lambda state, _: cost(CHOICE_UP, state, WEIGHTS), "°"),
     "lift": fixed(LIFT, "mm"),
+    "weight": fixed(WEIGHTS[0], decimals=0),
+    "at_place": fixed(AT_PLACE, "mm"),
     "missing": Value(lambda state, _: missing(state), "mm"),
     "polar": fixed(np.array(POLAR), "mm"),
     "polar_angle": fixed(atan2(-POLAR[0], POLAR[1]), "°", 1),

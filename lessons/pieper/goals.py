@@ -15,6 +15,7 @@ from helicoide.seat import Seat
 from helicoide.state import State, Update
 
 from .values import (
+    AT_PLACE,
     BEND,
     ENOUGH,
     FIRST,
@@ -31,7 +32,7 @@ from .values import (
     tip,
 )
 
-AT_PLACE, ALIGNED = 0.010, radians(4.0)  # m, rad
+ALIGNED = radians(4.0)
 MOVED, FAR_TURN = radians(5.0), radians(90.0)
 
 

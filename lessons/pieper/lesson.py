@@ -64,8 +64,8 @@ PROJECTION = LineExercise(
     (
         GivenName("px", "number", Text(en="place of the wrist along x", pt_BR="x do punho")),
         GivenName("py", "number", Text(en="place of the wrist along y", pt_BR="y do punho")),
-        GivenName("zx", "number", Text(en="x of the pointing axis", pt_BR="x do eixo da mão")),
-        GivenName("zy", "number", Text(en="y of the pointing axis", pt_BR="y do eixo da mão")),
+        GivenName("zx", "number", Text(en="x of the unit vector along the hand", pt_BR="x do vetor unitário da mão")),
+        GivenName("zy", "number", Text(en="y of this vector", pt_BR="y desse vetor")),
     ),
     "(px*zy - py*zx)/rho",
     steps=(("rho", "sqrt(px**2 + py**2)"),),
@@ -77,12 +77,9 @@ SCREWS = LineExercise(
         GivenName("a", "length", Text(en="first fixed side of the triangle", pt_BR="primeiro lado fixo do triângulo")),
         GivenName("b", "length", Text(en="second fixed side", pt_BR="segundo lado fixo")),
         GivenName("psi", "angle", Text(en="angle between these sides", pt_BR="ângulo entre esses lados")),
-        GivenName("theta2", "angle", Text(en="angle of joint 2", pt_BR="ângulo da junta 2")),
-        GivenName("phi3", "angle", Text(en="what the second screw sets", pt_BR="o que o segundo fuso impõe")),
     ),
-    "phi3 - theta2",
-    steps=(("length", "sqrt(a**2 + b**2 - 2*a*b*cos(psi))"),),
-    title=Text(en="a ball screw and the joint behind it", pt_BR="um fuso de esferas e a junta depois dele"),
+    "sqrt(a**2 + b**2 - 2*a*b*cos(psi))",
+    title=Text(en="the length of a ball screw", pt_BR="o comprimento de um fuso de esferas"),
 )
 
 STEPS = (

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import asin, hypot, pi, radians
+from math import asin, cos, hypot, pi, radians
 
 import numpy as np
 
 from helicoide.arrays import Array
+from helicoide.ik.postures.branch import wrap
 from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.robot import Robot
@@ -20,6 +21,7 @@ TIP_AT = np.array([0.550, 0.100, 0.150])  # m
 FIRST = np.radians([-60.0, 60.0, 0.0])  # roll, bend and flange of a hand, rad
 FLIPPED = np.radians([120.0, -60.0, 180.0])
 LEAST_TURN = radians(20.0)
+AT_PLACE = 0.010  # m
 MOST_AT_READY, ENOUGH = 3, 5
 ASIDE = 0.020  # m, of axis 6 in the question about Pieper's condition
 ON_LIMIT = 1e-6  # rad
@@ -83,6 +85,18 @@ def count_within(state: State) -> int:
     return int((~outside(state).any(axis=1)).sum())
 
 
+def below(state: State) -> Array:
+    """The posture of the pose of `ready` with the same shoulder and a bend > 0 whose elbow is down, (6,), rad."""
+    q = _postures(state.robot, tuple(ready(state).tolist()))
+    change = np.abs(wrap(q - ready(state)))
+    return np.asarray(q[(change[:, WAIST] < ON_LIMIT) & (change[:, ELBOW] > ON_LIMIT) & (q[:, BEND] > 0)][0])
+
+
+def rise(q: Array) -> float:
+    """How steeply the forearm, along the axis of joint 4, rises from the elbow to the wrist, rad."""
+    return asin(-cos(q[SHOULDER] + q[ELBOW]))
+
+
 def count_at_ready(state: State) -> int:
     """How many postures the pose of `ready` has, whatever the limits."""
     return len(_postures(state.robot, tuple(ready(state).tolist())))
@@ -95,12 +109,14 @@ VALUES = {
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "tool_length": fixed(TOOL_LENGTH, "mm"),
     "tip_at": fixed(TIP_AT, "mm"),
+    "at_place": fixed(AT_PLACE, "mm"),
     "tip": Value(lambda state, _: tip(state), "mm"),
     "pointing": Value(lambda state, _: ready_pose(state)[:3, 2], decimals=2),
     "wrist_for_tip": Value(lambda state, _: wrist_for_tip(state), "mm"),
     "offset": Value(lambda state, _: offset(state), "mm"),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
     "other_shoulder": Value(lambda state, _: to_other_shoulder(state), "°"),
+    "longer_way": Value(lambda state, _: 2 * pi - to_other_shoulder(state), "°"),
     "ready_wrist": Value(lambda state, _: ready_pose(state)[:3, 3], "mm"),
     "first_hand": fixed(FIRST, "°"),
     "flipped": fixed(FLIPPED, "°"),
@@ -113,6 +129,13 @@ VALUES = {
     "ruled_out": Value(lambda state, _: outside(state).sum(axis=0).astype(float), decimals=0),
     "enough": fixed(ENOUGH, decimals=0),
     "ready_bend": Value(lambda state, _: ready(state)[BEND], "°"),
+    "bend_lower": Value(lambda state, _: state.robot.lower[BEND], "°"),
     "bend_upper": Value(lambda state, _: state.robot.upper[BEND], "°"),
+    "elbow_lower": Value(lambda state, _: state.robot.lower[ELBOW], "°"),
+    "elbow_upper": Value(lambda state, _: state.robot.upper[ELBOW], "°"),
+    "elbow_down": Value(lambda state, _: below(state)[ELBOW], "°"),
+    "forearm_rise": Value(lambda state, _: rise(below(state)), "°"),
+    "hand_drop": Value(lambda state, _: -asin(ready_pose(state)[2, 2]), "°"),
+    "bend_needed": Value(lambda state, _: below(state)[BEND], "°"),
     "aside": fixed(ASIDE, "mm"),
 }

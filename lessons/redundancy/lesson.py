@@ -65,7 +65,13 @@ COORDINATES = tuple(
     for axis in "xy"
     for n in (1, 2, 3)
 )
-NULL_SPACE = LineExercise("jacobian", COORDINATES, "x1*y2 - x2*y1", steps=(("w2", "x3*y1 - x1*y3"),))
+NULL_SPACE = LineExercise(
+    "jacobian",
+    COORDINATES,
+    "x1*y2 - x2*y1",
+    steps=(("w2", "x3*y1 - x1*y3"),),
+    title=Text(en="a vector of the null space", pt_BR="um vetor do espaço nulo"),
+)
 
 
 def start(state: State) -> State:
@@ -201,7 +207,7 @@ STEPS = (
         start,
         is_free,
         ((gate.keep_orientation(False), 0.5),),
-        prediction=Estimate(lambda state, _: float(JOINTS_OF_FIVE - ROWS_OF_POSITION), "", within=0.4),
+        prediction=Estimate(lambda state, _: float(JOINTS_OF_FIVE - ROWS_OF_POSITION), "", within=0.4, reveal="done"),
         diagnoses=(Diagnosis("target", only_moved_target, ((target_turned(0.0, 0.05), 3.0),)),),
         shown=Shown(layers=("null",), camera="top", tab="robot"),
     ),

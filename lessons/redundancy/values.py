@@ -9,7 +9,9 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.command import MoveToPose
 from helicoide.ik.limit_gains import GROWTH
+from helicoide.kinematics.differential import frame_jacobian
 from helicoide.kinematics.forward import tool_by_screws
+from helicoide.kinematics.library import load_robot
 from helicoide.lesson import Value, fixed
 from helicoide.readout import position_analysis, target_pose, world_jacobian
 from helicoide.state import State
@@ -24,6 +26,7 @@ HEAVY = 20.0  # 1/s
 LEVEL = radians(1.0)
 FREE_OF_LIMIT = radians(2.0)
 TARGET = 0.200, -0.200
+AT_LIMIT = np.radians([-78.15, 137.90, -140.0])  # near the target, where joint 3 is at its limit
 OVERGROWN, LOST = 100.0, 0.010
 
 
@@ -63,6 +66,19 @@ def manipulability(state: State) -> float:
     return float(np.prod(position_analysis(state).sigma[:2] / state.problem.length))
 
 
+def pulls() -> Array:
+    """What each joint adds to the null-space motion at `AT_LIMIT`, (3,), rad/s; > 0: joint 3 leaves its limit.
+
+    k₀ (−∂f/∂qᵢ) nᵢ, with f the distance to joint limits and n the unit vector of the null space with n₃ > 0.
+    Source: Cerbaro 2022, eqs. 10 and 14.
+    """
+    robot = load_robot("orca")
+    x, y = frame_jacobian(robot, AT_LIMIT)[:2]
+    along = np.cross(x, y) / np.linalg.norm(np.cross(x, y))
+    middle, span = (robot.upper + robot.lower) / 2, robot.upper - robot.lower
+    return np.asarray(HEAVY * (middle - AT_LIMIT) / (len(span) * span**2) * along * np.sign(along[WRIST]))
+
+
 def to_limit(state: State) -> float:
     """The distance of the joints from their limits: that of the nearest, rad."""
     limits = state.problem.limits
@@ -96,4 +112,7 @@ VALUES = {
     "wrist": Value(lambda state, _: state.arm.q[WRIST], "°", 1),
     "wrist_limit": Value(lambda state, _: state.problem.limits.lower[WRIST], "°"),
     "free": fixed(FREE_OF_LIMIT, "°"),
+    "pulls": fixed(pulls, "°/s"),
+    "same": fixed(SAME_POINT, "mm"),
+    "exact": fixed(EXACT, "mm"),
 }

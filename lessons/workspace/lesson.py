@@ -74,7 +74,7 @@ CLOSED_FORM = LineExercise(
         ("theta1", "atan2(y, x) - atan2(l2*s2, l1 + l2*c2)"),
     ),
     without=("acos", "asin"),
-    title=Text(en="the closed form of two links", pt_BR="a forma fechada de dois elos"),
+    title=Text(en="the closed form of two links, in radians", pt_BR="a forma fechada de dois elos, em radianos"),
 )
 
 STEPS = (

@@ -20,7 +20,7 @@ L1, L2 = 1.0, 0.7  # m, of the robot's file
 INNER, OUTER = L1 - L2, L1 + L2
 SLOW = 0.01  # rad/s; at an edge an arm creeps for seconds
 AT_EDGE, AT_POINT, AT_TARGET = 0.005, 0.020, 0.003  # m
-AS_ASKED, MOVED, NEARLY, STRETCHED, FOLDED = map(radians, (4.0, 10.0, 15.0, 0.5, 175.0))
+AS_GOOD, AS_ASKED, MOVED, NEARLY, STRETCHED, FOLDED = map(radians, (0.1, 4.0, 10.0, 15.0, 0.5, 175.0))
 NEAR = 0.900
 BENT = radians(10.0)
 POINT = 0.700, 0.900
@@ -78,6 +78,16 @@ def ready_place(state: State) -> tuple[float, float]:
     return float(x), float(y)
 
 
+def shown_place(state: State) -> tuple[float, float]:
+    """Where the tool is, m. An arm at rest is near enough to what was asked, and near `ready` it counts as there.
+
+    So the pages name one place for one posture, also in a step that begins with an arm that came from another side.
+    """
+    off = wrap(state.arm.q - np.array(state.robot.poses["ready"]))
+    x, y = ready_place(state) if np.abs(off).max() < AS_GOOD else state.T_world_tool[:2, 3]
+    return float(x), float(y)
+
+
 def is_at(state: State, place: tuple[float, float]) -> bool:
     """Whether the tool rests at a place, m."""
     return rests(state) and bool(np.linalg.norm(state.T_world_tool[:2, 3] - place) <= AT_POINT)
@@ -108,10 +118,14 @@ VALUES = {
     "short_m": fixed(L2, decimals=1),
     "inner": fixed(INNER, "mm"),
     "outer": fixed(OUTER, "mm"),
-    "distance": Value(lambda state, _: distance(state), "mm"),
+    "distance": Value(lambda state, _: hypot(*shown_place(state)), "mm"),
     "missing": Value(lambda state, _: missing(state), "mm"),
-    "place": Value(lambda state, _: np.array(ready_place(state)), "mm"),
-    "tool": Value(lambda state, _: state.T_world_tool[:2, 3], "mm"),
+    "place_x": Value(lambda state, _: ready_place(state)[0], "mm"),
+    "place_y": Value(lambda state, _: ready_place(state)[1], "mm"),
+    "tool_x": Value(lambda state, _: shown_place(state)[0], "mm"),
+    "tool_y": Value(lambda state, _: shown_place(state)[1], "mm"),
+    "at_point": fixed(AT_POINT, "mm"),
+    "at_edge": fixed(AT_EDGE, "mm"),
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "ready": Value(lambda state, _: np.array(state.robot.poses["ready"]), "°"),
     "shoulder": Value(lambda state, _: state.arm.q[SHOULDER], "°"),
@@ -121,7 +135,8 @@ VALUES = {
     "near_cosine": fixed(elbow_cosine(NEAR), decimals=2),
     "near_elbow": fixed(NEAR_ELBOW, "°"),
     "near_inside": fixed(pi - NEAR_ELBOW, "°"),
-    "point": fixed(np.array(POINT), "mm"),
+    "point_x": fixed(POINT[0], "mm"),
+    "point_y": fixed(POINT[1], "mm"),
     "point_cosine": fixed(elbow_cosine(hypot(*POINT)), decimals=3),
     "point_elbow": fixed(POINT_ELBOW, "°", 1),
     "other_elbow": fixed(-POINT_ELBOW, "°", 1),
@@ -131,7 +146,9 @@ VALUES = {
     "lost": fixed(OUTER - distance_at(BENT), "mm", 1),
     "right_angle": fixed(pi / 2, "°"),
     "lost_bent": fixed(distance_at(pi / 2) - distance_at(pi / 2 + BENT), "mm"),
-    "to_edge": Value(lambda state, _: OUTER - distance(state), "mm", 1),
+    "to_edge": Value(lambda state, _: OUTER - hypot(*shown_place(state)), "mm", 1),
+    "just_to_edge": Value(lambda state, _: OUTER - distance(state), "mm", 2),
+    "elbow_precisely": Value(lambda state, _: state.arm.q[ELBOW], "°", 1),
     "scara": fixed(lambda: postures_of("scara"), decimals=0),
     "polar": fixed(lambda: postures_of("polar_rp"), decimals=0),
     "puma": fixed(lambda: postures_of("puma560"), decimals=0),

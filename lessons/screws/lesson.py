@@ -206,9 +206,7 @@ VALUES = {
     "whole_turn": Value(lambda state, _: float(screw_from_ready(state).angle), "°"),
     "whole_slide": Value(lambda state, _: float(screw_from_ready(state).displacement), "mm"),
     "apart": Value(lambda state, _: state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0], "mm"),
-    "half_apart": Value(
-        lambda state, _: (state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0]) / 2, "mm"
-    ),
+    "half_apart": Value(lambda state, _: (state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0]) / 2, "mm"),
     "shoulder": Value(lambda state, _: state.robot.poses["ready"][SHOULDER], "°"),
     "elbow": Value(lambda state, _: state.robot.poses["ready"][ELBOW], "°"),
     "wrist": Value(lambda state, _: state.robot.poses["ready"][WRIST], "°"),

@@ -195,7 +195,9 @@ def raised(height: float, about_x: float) -> Update:
 TURNED_AND_SHIFTED = LineExercise(
     "motor",
     (
-        GivenName("theta", "angle", Text(en="the angle of the turn, in radians", pt_BR="o ângulo do giro, em radianos")),
+        GivenName(
+            "theta", "angle", Text(en="the angle of the turn, in radians", pt_BR="o ângulo do giro, em radianos")
+        ),
         GivenName("d", "length", Text(en="how far the body is shifted", pt_BR="quanto o corpo se desloca")),
     ),
     "(1 + d/2*e1e)*(cos(theta/2) + sin(theta/2)*e1e2)",

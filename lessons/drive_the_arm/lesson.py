@@ -33,8 +33,10 @@ ELSEWHERE = radians(5.0)
 LEFT, LOW, RIGHT = 0.120, 0.130, -0.050
 SWUNG = radians(20.0)
 RAISED = 0.100
+ASKED_TURN, ASKED_YAW = radians(30.0), radians(60.0)
 HELD_WITHIN = 1e-3
 FOLLOWED, NEAR_PATH = 2.0, 0.1
+STOPPED_AFTER = 5.0
 
 
 def start(state: State) -> State:
@@ -160,6 +162,24 @@ def target_beyond(state: State) -> float:
     return float(planes.offsets[CEILING] - planes.normals[CEILING] @ state.request.command.T_world_target[:3, 3])
 
 
+def ceiling_above(state: State) -> float:
+    """The height of the ceiling straight above the tool at `ready`, m."""
+    normal, offset = state.problem.planes.normals[CEILING], state.problem.planes.offsets[CEILING]
+    x, y, _ = tool_by_screws(state.robot, np.array(state.robot.poses["ready"]))[:3, 3]
+    return float((offset - normal[:2] @ [x, y]) / normal[2])
+
+
+def rise(state: State, seat: Seat) -> float:
+    """How far the tool can rise from `ready`, m."""
+    height = tool_by_screws(state.robot, np.array(state.robot.poses["ready"]))[2, 3]
+    return float(ceiling_above(state) - state.problem.zones.critical - height)
+
+
+def lap(state: State) -> float:
+    """The time for once around the path, s."""
+    return gate.path_of(state.robot, state.request.path_choice).duration
+
+
 def to_the_ceiling(state: State) -> float:
     """The distance of the nearest monitored point to the ceiling, m."""
     return float(plane_distances(state)[:, CEILING].min())
@@ -207,6 +227,7 @@ VALUES = {
     "elbow": Value(lambda state, _: state.arm.q[ELBOW], "°"),
     "waist": Value(lambda state, _: state.arm.q[WAIST], "°"),
     "turned": fixed(TURNED, "°"),
+    "turned_to": Value(after_turn, "mm"),
     "joints": Value(lambda state, _: state.arm.q, "°"),
     "reach": Value(lambda state, _: float(np.hypot(*state.T_world_tool[:2, 3])), "mm"),
     "height": Value(lambda state, _: state.T_world_tool[2, 3], "mm"),
@@ -214,10 +235,19 @@ VALUES = {
     "low": fixed(LOW, "mm"),
     "y": Value(lambda state, _: state.T_world_tool[1, 3], "mm"),
     "swung": fixed(SWUNG, "°"),
+    "asked_turn": fixed(ASKED_TURN, "°"),
+    "asked_yaw": fixed(ASKED_YAW, "°"),
     "safe": Value(lambda state, _: state.problem.zones.critical, "mm"),
+    "ceiling": Value(lambda state, _: ceiling_above(state), "mm"),
+    "start_height": Value(
+        lambda state, _: tool_by_screws(state.robot, np.array(state.robot.poses["ready"]))[2, 3], "mm"
+    ),
+    "rise": Value(rise, "mm"),
     "nearest": Value(lambda state, _: to_the_ceiling(state), "mm"),
     "missing": Value(lambda state, _: missing_length(state), "mm"),
-    "lap": Value(lambda state, _: gate.path_of(state.robot, state.request.path_choice).duration, "s", 0),
+    "lap": Value(lambda state, _: lap(state), "s", 0),
+    "stopped_after": fixed(STOPPED_AFTER, "s", 0),
+    "rest": Value(lambda state, _: lap(state) - STOPPED_AFTER, "s", 0),
     "followed": fixed(FOLLOWED, "s", 0),
     "path_s": Value(lambda state, _: state.request.path_s, "s", 1),
 }
@@ -275,7 +305,7 @@ STEPS = (
         held_by_the_ceiling,
         ((target_at(0.60, 0.0, 0.70), 4.0),),
         held_for=0.5,
-        prediction=Estimate(lambda state, _: state.problem.zones.critical, "mm", within=20.0, reveal="done"),
+        prediction=Estimate(rise, "mm", within=20.0, reveal="done"),
         diagnoses=(Diagnosis("below", below_the_ceiling, ((target_at(0.60, 0.0, 0.45), 4.0),)),),
         shown=Shown(layers=("distances",), camera="side"),
     ),

@@ -47,7 +47,7 @@ def about_z(angle: float) -> Array:
     return rotation.from_axis_angle(Z_AXIS, angle)
 
 
-ONE, ALONG_I, ALONG_J, ALONG_K = np.eye(4)
+ONE, ALONG_I, _, ALONG_K = np.eye(4)
 WAY_END, FAR_END, WANTED = about_z(WAY), about_z(FAR), about_z(QUARTER)
 
 
@@ -151,11 +151,6 @@ def as_sum(q: Callable[[], Array], decimals: int = 2) -> Value:
     return fixed(lambda: Multivector(q(), QUATERNIONS), decimals=decimals)
 
 
-def sandwiched(v: Array) -> Array:
-    """A vector, as a quaternion, turned by the quaternion that is asked for."""
-    return np.asarray([0.0, *rotation.rotate(asked(), v[1:])])
-
-
 def lerp_angle() -> float:
     """The angle of the stretched chord after a part of the way, rad."""
     return float(rotation.axis_angle(lerp(ONE, WAY_END, PART) / np.linalg.norm(lerp(ONE, WAY_END, PART)))[1])
@@ -176,9 +171,6 @@ VALUES = {
     "left_i": as_sum(lambda: rotation.multiply(WANTED, ALONG_I)),
     "left_k": as_sum(lambda: rotation.multiply(WANTED, ALONG_K)),
     "asked": as_sum(asked),
-    "to_i": as_sum(lambda: sandwiched(ALONG_I), decimals=0),
-    "to_j": as_sum(lambda: sandwiched(ALONG_J), decimals=0),
-    "to_k": as_sum(lambda: sandwiched(ALONG_K), decimals=0),
     "turn": fixed(TURN, "°"),
     "two_turns": fixed(2 * TURN, "°"),
     "half_turn": fixed(HALF_TURN, "°"),
@@ -203,6 +195,7 @@ VALUES = {
     "error": Value(error),
     "still": Value(lambda state, seat: QUARTER - state.arm.q[ABOUT_Z], "°"),
     "beyond": fixed(BEYOND, "°"),
+    "beyond_at": fixed(QUARTER - BEYOND, "°"),
     "back": fixed(TURN - BEYOND, "°"),
 }
 
@@ -216,6 +209,9 @@ TWICE = LineExercise(
     ),
     "r*v*conj(r)",
     steps=(("r", "q*p"),),
+    title=Text(
+        en="the rotation r, and then the vector turned by it", pt_BR="a rotação r e, depois, o vetor girado por ela"
+    ),
 )
 WHAT_IS_MISSING = LineExercise(
     "error",
@@ -223,7 +219,10 @@ WHAT_IS_MISSING = LineExercise(
         GivenName("qd", "rotation", Text(en="the rotation to be reached", pt_BR="a rotação a alcançar")),
         GivenName("q", "rotation", Text(en="the rotation of the body", pt_BR="a rotação do corpo")),
     ),
-    "qd*conj(q)",
+    "conj(q)*qd",
+    title=Text(
+        en="the turn that is missing, about axes of the body", pt_BR="o giro que falta, em torno de eixos do corpo"
+    ),
 )
 
 

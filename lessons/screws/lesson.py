@@ -34,7 +34,7 @@ SOURCES = (
 )
 OWN_ARM = True
 
-WAIST, SHOULDER, ELBOW, ROLL = 0, 1, 2, 4
+WAIST, SHOULDER, ELBOW, WRIST, ROLL = range(5)
 MOVED, AT_REST = radians(15.0), radians(3.0)
 TURNED, WITHIN = radians(60.0), radians(2.0)
 LONG = 0.200
@@ -192,6 +192,7 @@ VALUES = {
     "angle": Value(lambda state, _: float(screw_from_base(state).angle), "°"),
     "slide": Value(lambda state, _: float(screw_from_base(state).displacement), "mm"),
     "pitch": Value(lambda state, _: 1e3 * float(screw_from_base(state).pitch), "mm/rad", 0),
+    "fine_pitch": Value(lambda state, _: 1e3 * float(screw_from_base(state).pitch), "mm/rad", 1),
     "lead": Value(lambda state, _: 2 * pi * float(screw_from_base(state).pitch), "mm"),
     "long": fixed(LONG, "mm"),
     "least_pitch": fixed(1e3 * LEAST_PITCH, "mm/rad", 0),
@@ -205,6 +206,11 @@ VALUES = {
     "whole_turn": Value(lambda state, _: float(screw_from_ready(state).angle), "°"),
     "whole_slide": Value(lambda state, _: float(screw_from_ready(state).displacement), "mm"),
     "apart": Value(lambda state, _: state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0], "mm"),
+    "half_apart": Value(lambda state, _: (state.robot.points[SHOULDER, 0] - state.robot.points[WAIST, 0]) / 2, "mm"),
+    "shoulder": Value(lambda state, _: state.robot.poses["ready"][SHOULDER], "°"),
+    "elbow": Value(lambda state, _: state.robot.poses["ready"][ELBOW], "°"),
+    "wrist": Value(lambda state, _: state.robot.poses["ready"][WRIST], "°"),
+    "down": Value(lambda state, _: -sum(state.robot.poses["ready"][SHOULDER : WRIST + 1]), "°"),
     "half_turn": fixed(HALF_TURN, "°"),
     "over": fixed(OVER, "°"),
     "under": fixed(2 * pi - OVER, "°"),

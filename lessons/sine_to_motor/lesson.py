@@ -23,6 +23,7 @@ from .values import (
     ALONG_Z,
     FIRST_TURN,
     HALF,
+    NEAR,
     QUARTER,
     SHIFT,
     TILT,
@@ -44,7 +45,7 @@ SOURCES = (
     "Cerbaro 2022: eqs. 76–78, 88, 89 (quaternions), 96–99 (motors)",
     "Cerbaro 2022: eq. 95, corrected: a sandwich moves points, lines and planes, a product from the left moves poses",
 )
-NEAR, NEAR_ANGLE, NEAR_LENGTH = 0.02, radians(2.0), 0.005
+NEAR_ANGLE, NEAR_LENGTH = radians(2.0), 0.005
 UNTOUCHED = radians(5.0)
 
 
@@ -194,12 +195,15 @@ def raised(height: float, about_x: float) -> Update:
 TURNED_AND_SHIFTED = LineExercise(
     "motor",
     (
-        GivenName("theta", "angle", Text(en="the angle of the turn", pt_BR="o ângulo do giro")),
+        GivenName(
+            "theta", "angle", Text(en="the angle of the turn, in radians", pt_BR="o ângulo do giro, em radianos")
+        ),
         GivenName("d", "length", Text(en="how far the body is shifted", pt_BR="quanto o corpo se desloca")),
     ),
     "(1 + d/2*e1e)*(cos(theta/2) + sin(theta/2)*e1e2)",
     sign_counts=False,
     without=("rotor", "translator", "motor", "screw", "exp"),
+    title=Text(en="the motor of a turn and then a shift", pt_BR="o motor de um giro e, depois, um deslocamento"),
 )
 
 STEPS = (

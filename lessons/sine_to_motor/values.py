@@ -16,7 +16,8 @@ from helicoide.seat import Seat
 from helicoide.state import State
 
 ALONG_Z, ALONG_Y, ALONG_X, ABOUT_Z, ABOUT_Y, ABOUT_X = range(6)
-HALF = 0.5
+HALF, NEAR = 0.5, 0.02
+ALSO_HALF = radians(150.0)
 FIRST_TURN = radians(50.0)
 QUARTER = radians(90.0)
 TRIED = radians(120.0)
@@ -58,12 +59,14 @@ VALUES = {
     "x": Value(lambda state, _: facing(state)[0]),
     "y": Value(lambda state, _: facing(state)[1]),
     "half": fixed(HALF, decimals=1),
+    "near": fixed(NEAR),
+    "also_half": fixed(ALSO_HALF, "°"),
     "first_turn": fixed(FIRST_TURN, "°"),
     "twice": fixed(2 * FIRST_TURN, "°"),
     "mirrored": fixed(np.pi - 2 * FIRST_TURN, "°"),
-    "cos_first": fixed(cos(FIRST_TURN)),
-    "sin_first": fixed(sin(FIRST_TURN)),
-    "twice_sine": fixed(2 * sin(FIRST_TURN)),
+    "cos_first": fixed(cos(FIRST_TURN), decimals=4),
+    "sin_first": fixed(sin(FIRST_TURN), decimals=4),
+    "twice_sine": fixed(2 * sin(FIRST_TURN), decimals=3),
     "squared": fixed(np.array([cos(FIRST_TURN) ** 2 - sin(FIRST_TURN) ** 2, 2 * cos(FIRST_TURN) * sin(FIRST_TURN)])),
     "motor": Value(motor, decimals=2),
     "scalar": Value(lambda state, seat: motor(state, seat)["1"]),

@@ -71,7 +71,7 @@ VALUES = {
     "wanted": fixed(WANTED, "m/s", 1),
     "needed": fixed(WANTED / FLAT, "rad/s", 0),
     "fastest": Value(lambda state, _: state.problem.limits.speed[0], "rad/s", 1),
-    "together": Value(lambda state, _: np.linalg.norm(state.problem.limits.speed), "rad/s", 1),
+    "together": Value(lambda state, _: float(np.linalg.norm(state.problem.limits.speed)), "rad/s", 1),
     "reach": Value(lambda state, _: state.robot.reach, "m", 0),
     "inside": fixed(INSIDE, "m", 0),
     "outside": fixed(OUTSIDE, "m", 1),

@@ -22,7 +22,7 @@ WAITING = Markup("<b class='helicoide-value'>…</b>")
 NUMBER = Markup("<b class='helicoide-value'>{}</b>")
 # Not a table: that would end the paragraph in which the value stands.
 MATRIX = Markup("<span class='helicoide-array'><span class='helicoide-brackets'>{}</span>{}</span>")
-TUPLE = Markup("<span class='helicoide-array helicoide-value'>({}){}</span>")
+TUPLE = Markup("<span class='helicoide-value'>({}){}</span>")
 SEPARATORS = {"en": ", ", "pt_BR": "; "}  # in Portuguese the comma is the decimal sign
 ROW, CELL = Markup("<i>{}</i>"), Markup("<span>{}</span>")
 SUM, TERM = Markup("<span class='helicoide-value'>{}</span>"), Markup("<span>{}{}{}</span>")

@@ -86,7 +86,7 @@ def level_only(state: State, seat: Seat) -> bool:
 
 
 def example(state: State) -> Array:
-    """The joint values of the example of the source, (n,), rad."""
+    """The joint values of Cerbaro's example, (n,), rad."""
     return np.array(state.robot.poses["example"])
 
 
@@ -147,6 +147,10 @@ VALUES = {
     "printed_place": fixed(PRINTED_PLACE, "mm", 3),
     "printed_shift": fixed(PRINTED_SHIFT, "mm", 3),
     "printed_d1": fixed(PRINTED_D1, "mm"),
+    "motion": Value(lambda state, _: screw_displacements(state.robot, example(state))[-1], "", 3),
+    "waist_point": Value(lambda state, _: state.robot.joints[0].point, "mm"),
+    "wrist_point": Value(lambda state, _: state.robot.joints[WRIST_PITCH].point, "mm"),
+    "roll_point": Value(lambda state, _: state.robot.joints[ROLL].point, "mm"),
     "d1": Value(lambda state, _: state.robot.dh.rows[0].d, "mm"),
     "height_as_printed": Value(height_as_printed, "mm"),
     "dh_place": Value(lambda state, _: by_dh(state)[:3, 3], "mm", 1),
@@ -173,6 +177,7 @@ ONE_ROW = LineExercise(
     "B*translator(a, 0, 0)*rotor(1, 0, 0, alpha)",
     steps=(("B", "rotor(0, 0, 1, theta)*translator(0, 0, d)"),),
     sign_counts=False,
+    title=Text(en="one row of the DH table", pt_BR="uma linha da tabela de DH"),
 )
 TWO_SCREWS = LineExercise(
     "chain",
@@ -185,6 +190,9 @@ TWO_SCREWS = LineExercise(
     ),
     "screw(K1, q1)*screw(K2, q2)*M0",
     sign_counts=False,
+    title=Text(
+        en="the end effector after the turns of two joints", pt_BR="o efetuador depois dos giros de duas juntas"
+    ),
 )
 ALL_JOINTS = tuple(range(5))
 

@@ -74,6 +74,7 @@ COLUMN = LineExercise(
     ),
     "px - x",
     steps=(("vx", "y - py"),),
+    title=Text(en="the velocity in a column of the Jacobian", pt_BR="a velocidade em uma coluna da jacobiana"),
 )
 
 
@@ -85,7 +86,7 @@ def start(state: State) -> State:
 
 
 def start_at_circle(state: State) -> State:
-    """The same, with the pseudoinverse and the circle of the source as the path."""
+    """The same, with the pseudoinverse and the circle of Cerbaro as the path."""
     state = start(state)
     for change in (gate.choose_method("pseudoinverse"), gate.choose_path("demonstration"), gate.set_duration(LAP)):
         state = change(state)

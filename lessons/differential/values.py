@@ -83,6 +83,24 @@ def second_step(robot: Robot) -> Array:
     return with_inverse(robot, q, *(wanted_point(robot) - tool_point(robot, q)))
 
 
+def next_step(state: State) -> Array:
+    """Joint values of the step to make now: of the first one until its posture is reached, then of the second, rad."""
+    both = np.array([first_step(state.robot), second_step(state.robot)])
+    low, high = both.min(axis=0) - FIRST_WITHIN, both.max(axis=0) + FIRST_WITHIN
+    return np.asarray(both[int(np.all((low <= state.arm.q) & (state.arm.q <= high)))])
+
+
+def as_written(point: Array) -> Array:
+    """The x and y of a point, m, to a tenth of a millimetre, as the page shows them, (2,), m."""
+    return np.round(point[:2], 4)
+
+
+def elbow_column(state: State) -> Array:
+    """vx, vy of the column of the elbow, from the points as the page shows them, (2,), m/s."""
+    along = as_written(state.T_world_tool[:3, 3]) - as_written(axis_point(state, ELBOW))
+    return np.array([-along[1], along[0]])
+
+
 def missing(state: State) -> float:
     """How far the end effector is from the place that is asked for, m."""
     return float(np.linalg.norm(state.T_world_tool[:2, 3] - wanted_point(state.robot)))
@@ -128,9 +146,9 @@ VALUES = {
     "length_1": Value(lambda state, _: column_length(state, SHOULDER), "mm/s"),
     "length_2": Value(lambda state, _: column_length(state, ELBOW), "mm/s"),
     "length_3": Value(lambda state, _: column_length(state, WRIST), "mm/s"),
-    "column_2": Value(lambda state, _: world_jacobian(state)[:2, ELBOW], "mm/s"),
-    "elbow_at": Value(lambda state, _: axis_point(state, ELBOW)[:2], "mm"),
-    "tool_at": Value(lambda state, _: state.T_world_tool[:2, 3], "mm"),
+    "column_2": Value(lambda state, _: elbow_column(state), "mm/s", 1),
+    "elbow_at": Value(lambda state, _: axis_point(state, ELBOW)[:2], "mm", 1),
+    "tool_at": Value(lambda state, _: state.T_world_tool[:2, 3], "mm", 1),
     "of_tool": Value(lambda state, _: wrist_column(state, state.T_world_tool[:3, 3]), "mm/s"),
     "of_wrist": Value(lambda state, _: wrist_column(state, axis_point(state, WRIST)), "mm/s"),
     "long_axis": Value(lambda state, _: position_analysis(state).sigma[0], "m/s", 3),
@@ -138,15 +156,16 @@ VALUES = {
     "thin": fixed(THIN, "m/s", 2),
     "shift": fixed(SHIFT, "mm"),
     "first": Value(lambda state, _: first_step(state.robot), "°", 1),
-    "second": Value(lambda state, _: second_step(state.robot), "°", 1),
+    "next": Value(lambda state, _: next_step(state), "°", 1),
+    "begun_at": Value(lambda state, _: tool_point(state.robot, ready(state.robot)), "mm"),
+    "wanted": Value(lambda state, _: wanted_point(state.robot), "mm"),
     "joints": Value(lambda state, _: state.arm.q, "°", 1),
-    "missing": Value(lambda state, _: missing(state), "mm", 1),
+    "missing": Value(lambda state, _: missing(state), "mm"),
     "left_by_first": Value(
         lambda state, _: float(
             np.linalg.norm(tool_point(state.robot, first_step(state.robot)) - wanted_point(state.robot))
         ),
         "mm",
-        1,
     ),
     "arrived": fixed(ARRIVED, "mm"),
     "few": fixed(FEW_STEPS, "", 0),
@@ -155,7 +174,7 @@ VALUES = {
     "drift_many": Value(lambda state, _: drift(state.robot, MANY_STEPS), "mm", 1),
     "lap": fixed(LAP, "s", 0),
     "path_s": Value(lambda state, _: state.request.path_s, "s", 1),
-    "gain": fixed(SLOW_GAIN, "1/s", 0),
+    "gain": fixed(SLOW_GAIN, "s⁻¹", 0),
     "pulled": fixed(PULLED, "mm"),
     "settled": fixed(SETTLED, "mm"),
     "after": fixed(AFTER, "s", 0),

@@ -25,7 +25,7 @@ ABOUT = Text(
 ROBOT = "movemaster"
 NEEDS = ("frames", "quaternions")
 SOURCES = (
-    "Cerbaro 2022: eqs. 6, 53–55 (which name them differently)",
+    "Cerbaro 2022: eqs. 53–55 (which name them differently)",
     "Vargas 2013: eqs. 2.26, 2.27 (representation singularities)",
 )
 OWN_ARM = True
@@ -39,7 +39,6 @@ QUARTER, HALF_TURN = radians(90.0), radians(180.0)
 ROLLED = radians(60.0)
 QUESTION, SAME = tuple(map(radians, (20.0, 60.0, 10.0))), tuple(map(radians, (200.0, 120.0, 190.0)))
 ASKED, REACHABLE = tuple(map(radians, (180.0, 120.0, -150.0))), tuple(map(radians, (0.0, 60.0, 30.0)))
-PRINTED, PRINTED_TOO = tuple(map(radians, (-60.0, 0.0, -150.0))), tuple(map(radians, (120.0, 180.0, 30.0)))
 DOWN = radians(90.0)
 BOTH, LEAST_WAIST, DOWN_WITHIN = radians(40.0), radians(30.0), radians(1.0)
 STEEP, SIDEWAYS = radians(85.0), radians(10.0)  # rad; rad/s
@@ -188,13 +187,12 @@ VALUES = {
     "same_pitch": fixed(SAME[1], "°"),
     "same_roll": fixed(SAME[2], "°"),
     "asked": triple(ASKED),
-    "printed": triple(PRINTED),
-    "printed_too": triple(PRINTED_TOO),
     "half_turn": fixed(HALF_TURN, "°"),
     "asked_turn": Value(lambda state, seat: turn_from(ASKED, state), "°"),
     "down": fixed(DOWN, "°"),
     "down_within": fixed(DOWN_WITHIN, "°"),
     "both": fixed(BOTH, "°"),
+    "twice": fixed(2 * BOTH, "°"),
     "least_waist": fixed(LEAST_WAIST, "°"),
     "pitch": Value(lambda state, _: by_joints(state)[1], "°", 1),
     "turned": Value(turned_when_down, "°"),
@@ -205,6 +203,7 @@ VALUES = {
     "factor": Value(factor, "", 1),
     "least_factor": fixed(LEAST_FACTOR, "", 0),
     "most_factor": fixed(MOST_FACTOR, "", 0),
+    "huge": fixed(HUGE, "", 0),
     "margin": Value(margin, "°"),
 }
 

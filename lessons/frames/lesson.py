@@ -171,6 +171,11 @@ def shoulder_at(angle: float) -> StepGoal:
     return lambda state, seat: abs(float(state.arm.q[SHOULDER]) - angle) <= NEAR_ANGLE and rests(state)
 
 
+def station_on_the_left(state: State, seat: Seat) -> bool:
+    """The arm rests where the station has the y that is asked for in the frame of the upper arm."""
+    return abs(station_from_upper_arm(state, seat)[1] - STATION[0] * sin(D_TURN)) <= NEAR and rests(state)
+
+
 def target_at(point: Array, angle: float = 0.0) -> Update:
     """Ask for a place, (3,), m, and a direction of the gripper, rad."""
     return gate.set_target(point, rotation.from_axis_angle(Z_AXIS, angle))
@@ -186,7 +191,7 @@ VALUES = {
     "in_base": fixed(STATION[:2], "mm"),
     "in_tool": Value(station_from_tool, "mm"),
     "ahead": fixed(AHEAD, "mm"),
-    "pose": Value(lambda state, _: state.T_world_tool, "", 2),
+    "pose": Value(lambda state, _: state.T_world_tool, "", 3),
     "heading": Value(lambda state, _: heading(state), "°"),
     "within": fixed(NEAR_ANGLE, "°"),
     "station_turn": fixed(STATION_TURN, "°"),
@@ -220,6 +225,7 @@ WRIST_FRAME = LineExercise(
     "T_bg*inverse(T_wt)",
     steps=(("T_bg", "T_bs*T_sg"),),
     sign_counts=False,
+    title=Text(en="the pose of the wrist for a goal", pt_BR="a pose do punho para um objetivo"),
 )
 ON_THE_BENCH = Shown(layers=("frames",), camera="top", sheet="station_frame")
 ALL_JOINTS = (SHOULDER, ELBOW, WRIST)
@@ -288,7 +294,7 @@ STEPS = (
     Step(
         "passive",
         start,
-        shoulder_at(-D_TURN),
+        station_on_the_left,
         ((gate.set_joint(SHOULDER, -D_TURN), 4.0),),
         joints=(SHOULDER,),
         prediction=Estimate(lambda state, seat: float(-STATION[0] * sin(D_TURN)), "mm", within=25.0),

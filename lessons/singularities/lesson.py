@@ -46,7 +46,7 @@ ABOUT = Text(
 ROBOT = "planar3r"
 NEEDS = ("differential",)
 SOURCES = (
-    "Vargas 2013: eqs. 2.49, 3.1, 3.10–3.14 (DLS), 3.15–3.25 (FIK), 4.2–4.8, 4.60, 4.61 (filtered inverse); sim. 6",
+    "Vargas 2013: eqs. 2.49, 3.1, 3.10–3.14 (DLS), 3.15–3.25 (FIK), 4.2–4.8, 4.60–4.67 (filtered inverse); sims. 6, 12",
     "Cerbaro 2022: eqs. 70, 71",
 )
 
@@ -64,6 +64,10 @@ SHARE = LineExercise(
     ),
     "lambda**2/(s**2 + lambda**2)",
     steps=(("arrives", "s**2/(s**2 + lambda**2)"),),
+    title=Text(
+        en="the part of the velocity that arrives, and the part that is missing",
+        pt_BR="a parte da velocidade que chega e a parte que falta",
+    ),
 )
 
 
@@ -80,7 +84,7 @@ def start_with(method: str, other: str | None = None) -> Update:
 
 
 def start_on_path(state: State) -> State:
-    """The same with damped least squares and trajectory 1 of the source, faster than there."""
+    """The same with damped least squares and trajectory 1 of Vargas, faster than there."""
     state = start_with("damped")(state)
     for change in (gate.choose_path("vargas1"), gate.set_duration(LAP)):
         state = change(state)

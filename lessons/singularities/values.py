@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 import numpy as np
 
 from helicoide.command import MoveToPose
@@ -73,6 +71,7 @@ VALUES = {
     "wanted": fixed(WANTED, "m/s", 1),
     "needed": fixed(WANTED / FLAT, "rad/s", 0),
     "fastest": Value(lambda state, _: state.problem.limits.speed[0], "rad/s", 1),
+    "together": Value(lambda state, _: float(np.linalg.norm(state.problem.limits.speed)), "rad/s", 1),
     "reach": Value(lambda state, _: state.robot.reach, "m", 0),
     "inside": fixed(INSIDE, "m", 0),
     "outside": fixed(OUTSIDE, "m", 1),
@@ -86,8 +85,7 @@ VALUES = {
     "error": Value(lambda state, _: to_target(state), "mm"),
     "second_error": Value(lambda state, _: second_to_target(state), "mm"),
     "delta": fixed(DELTA, "", 2),
-    "root": fixed(sqrt(DELTA), "m/rad", 1),
-    "in_mm": fixed(in_mm(METRES), "mm/rad", 0),
     "as_delta": fixed(in_mm(DELTA), "mm/rad", 0),
+    "seconds": fixed(SECONDS, "s", 0),
     "nearest": Value(lambda state, _: max(target_from_base(state) - state.robot.reach, 0.0), "mm"),
 }

@@ -22,6 +22,8 @@ WAITING = Markup("<b class='helicoide-value'>…</b>")
 NUMBER = Markup("<b class='helicoide-value'>{}</b>")
 # Not a table: that would end the paragraph in which the value stands.
 MATRIX = Markup("<span class='helicoide-array'><span class='helicoide-brackets'>{}</span>{}</span>")
+TUPLE = Markup("<span class='helicoide-value'>({}){}</span>")
+SEPARATORS = {"en": ", ", "pt_BR": "; "}  # in Portuguese the comma is the decimal sign
 ROW, CELL = Markup("<i>{}</i>"), Markup("<span>{}</span>")
 SUM, TERM = Markup("<span class='helicoide-value'>{}</span>"), Markup("<span>{}{}{}</span>")
 DECIMALS = 3  # of a multivector, unless an author has chosen
@@ -62,20 +64,21 @@ def _value(value: Value, view: View) -> Markup:
     if isinstance(read, Multivector):
         return _sum(read, DECIMALS if value.decimals is None else value.decimals, language)
     if isinstance(read, np.ndarray) and read.ndim > 0:
-        return _matrix(read, value, language)
+        return _array(read, value, language)
     return NUMBER.format(measured_text(in_unit(float(read), value.unit), value.unit, value.decimals)[language])
 
 
-def _matrix(numbers: Array, value: Value, language: Language) -> Markup:
-    """An array (n,) as a row, or (m, n) as a matrix, with the unit after it."""
-
+def _array(numbers: Array, value: Value, language: Language) -> Markup:
+    """An array of one row as (x, y), or (m, n) as a matrix, with the unit after it."""
     decimals = needed_decimals(value.unit, value.decimals)
-
-    def cell(number: float) -> Markup:
-        return CELL.format(measured_text(in_unit(float(number), value.unit), "", decimals)[language])
-
-    rows = (ROW.format(Markup(" ").join(map(cell, row))) for row in np.atleast_2d(numbers))
+    written = [
+        [measured_text(in_unit(float(number), value.unit), "", decimals)[language] for number in row]
+        for row in np.atleast_2d(numbers)
+    ]
     unit = value.unit if value.unit in ("", "°") else f"\u202f{value.unit}"
+    if len(written) == 1:
+        return TUPLE.format(SEPARATORS[language].join(written[0]), unit)
+    rows = (ROW.format(Markup(" ").join(map(CELL.format, row))) for row in written)
     return MATRIX.format(Markup("").join(rows), unit)
 
 

@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 from tests.browser.geometry import covered, seen_as_sent, world_points
 from tests.browser.lab import Lab, box, pixels, press, tab, until
+from tests.browser.sheet import THERE
 from tests.browser.test_arms import canvas
 
 from helicoide import gate
@@ -87,11 +88,20 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 
 def load(lab: Lab, page: Page, robot: str) -> None:
-    """Load a robot, unless it is there, and wait until it is drawn."""
+    """Load a robot, unless it is there, and wait until it is drawn whole."""
     if lab.state.robot.name != robot:
         lab.change(robot)
         until(page, lambda: lab.state.robot.name == robot and lab.display._drawn[0] is lab.state.robot)
-        page.wait_for_timeout(2000)
+        until(page, lambda: all(page.evaluate(THERE, f"/arm/{shape.name}/mesh") for shape in lab.shapes))
+        loading = [canvas(page)]
+        until(page, lambda: _is_loaded(page, loading))
+
+
+def _is_loaded(page: Page, pictures: list[np.ndarray]) -> bool:
+    """Whether the arm has looked the same for three seconds: its meshes arrive one after another."""
+    page.wait_for_timeout(1000)
+    pictures.append(_next_picture(page))
+    return len(pictures) > 3 and all(bool((one == pictures[-1]).all()) for one in pictures[-4:-1])
 
 
 def drawn(lab: Lab, page: Page, view: View) -> np.ndarray:

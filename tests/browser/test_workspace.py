@@ -35,7 +35,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
     tab(shared_page, "Robot")
     if not shared_page.get_by_role("button", name="Compute map", exact=True).is_visible():
-        shared_page.get_by_text("Workspace", exact=True).click()
+        shared_page.get_by_role("button", name="Workspace", exact=True).click()
     return shared_page
 
 
@@ -105,7 +105,7 @@ def test_a_map_is_worked_out_by_finger(browser: Browser, lab: Lab) -> None:
     with window(browser, lab.port, "phone") as page:
         until(page, lambda: lab.session.ready, 300)
         page.get_by_role("tab", name="Robot").tap()
-        page.get_by_text("Workspace", exact=True).tap()
+        page.get_by_role("button", name="Workspace", exact=True).tap()
         page.get_by_role("button", name="Compute map", exact=True).tap()
         until(page, lambda: bool(page.evaluate(SHOWN)))
         page.locator(".helicoide-scale").wait_for()

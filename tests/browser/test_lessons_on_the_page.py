@@ -29,6 +29,7 @@ def page(shared_page: Page, lab: Lab) -> Iterator[Page]:
     yield shared_page
     ask(lab, ForSeat(lesson.restarted))
     ask(lab, ForSeat(partial(lesson.entered, name=None)))
+    tab(shared_page, "Lesson")
     shared_page.locator(".helicoide-course").wait_for()
     assert [seat.lesson for seat in lab.seats] == [None]
 

@@ -26,7 +26,7 @@ from helicoide.state import State, Update
 from helicoide.text import Language
 from helicoide.view.lesson_rows import NEXT, TRIED
 from helicoide.view.panels.lesson import TITLE
-from helicoide.view.prediction_rows import ANSWER
+from helicoide.view.prediction_rows import ANSWER, MARKED
 
 HEADING, DONE, SUMMARY = ".helicoide-lesson h3", ".helicoide-verdict.done", ".helicoide-summary"
 SCENE = (0.30, 0.15, 0.62, 0.85)  # the middle of the page: left, upper, right, lower, as shares
@@ -132,8 +132,9 @@ class Walk:
                 self.type(docked.get_by_role("textbox").first, f"{right:.4f}")
             case Mark():
                 point = right_answer(prediction, self._state, self.visitor.place.seat)
-                for axis in range(3):
-                    self.type(docked.locator("input.mantine-NumberInput-input").nth(axis), f"{1e3 * point[axis]:.0f}")
+                for axis, coordinate in zip("xyz", point, strict=True):
+                    label = f"{MARKED[self.language]}: {axis}"
+                    self.type(self.page.locator(f'input[aria-label="{label}"]:visible'), f"{1e3 * coordinate:.0f}")
                 self.press(ANSWER[self.language])
         until(self.page, lambda: self._answered(step))
         expect(docked.get_by_role("button", name=ANSWER[self.language], exact=True)).to_have_count(0)
@@ -170,10 +171,12 @@ class Walk:
         changed = [int(joint) for joint in np.flatnonzero(asked.q != q)]
         if not set(changed) <= set(step.joints):
             return False
-        boxes = self._docked().locator("input.mantine-NumberInput-input")
         for joint in changed:
-            scale = 1000.0 if state.robot.variables[joint].is_prismatic else 180 / np.pi
-            self.type(boxes.nth(step.joints.index(joint)), f"{scale * asked.q[joint]:.1f}")
+            variable = state.robot.variables[joint]
+            label = f"{joint + 1} {variable.title[self.language]}"
+            boxes = self.page.locator(f'input.mantine-NumberInput-input[aria-label^="{label}"]:visible')
+            scale = 1000.0 if variable.is_prismatic else 180 / np.pi
+            self.type(boxes.first, f"{scale * asked.q[joint]:.1f}")
         until(self.page, lambda: self._state.request.command is not before)  # else the arm seems to have arrived
         return True
 

@@ -17,10 +17,8 @@ LINE_KINDS: dict[LineKind, Text] = {
     "motor": Text(en="the motor of a screw", pt_BR="o motor de um helicoide"),
     "chain": Text(en="a chain of forward kinematics", pt_BR="uma cadeia da cinemática direta"),
     "incidence": Text(en="a join or a meet", pt_BR="um join ou um meet"),
-    "jacobian": Text(
-        en="a column of the Jacobian, or of its null space", pt_BR="uma coluna da jacobiana, ou do seu espaço nulo"
-    ),
-    "error": Text(en="an error of orientation, pose or velocity", pt_BR="um erro de orientação, pose ou velocidade"),
+    "jacobian": Text(en="a column of the Jacobian", pt_BR="uma coluna da jacobiana"),
+    "error": Text(en="an error of orientation or pose", pt_BR="um erro de orientação ou de pose"),
 }
 
 
